@@ -1,23 +1,24 @@
-//! A picture, element by element: what a drawing or a plot becomes on paper.
+//! Represents a picture by its elements, for drawings and plots on paper.
 //!
-//! Coordinates are user units, y downwards. What a shape looks like follows from its class in the style
-//! sheet, which every writer reads: the picture is the same as an SVG document, inside a page, and in TikZ.
+//! Coordinates are user units, y downwards. The appearance of a shape follows from its class in the
+//! style sheet, which every writer uses. The picture is therefore the same as an SVG document,
+//! inside a page, and in TikZ.
 
 use super::style::StyleSheet;
 use crate::Vec2;
 
-/// Where a text stands against its place.
+/// The alignment of a text relative to its position.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum TextAnchor {
-    /// It begins there.
+    /// The text begins at the position.
     Start,
-    /// Its middle is there.
+    /// The text is centred at the position.
     Middle,
-    /// It ends there.
+    /// The text ends at the position.
     End,
 }
 
-/// A picture of a size, filled from the bottom up.
+/// A picture of a given size; later elements cover earlier ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Artwork {
     pub(super) size: Vec2,
@@ -26,10 +27,10 @@ pub struct Artwork {
     pub(super) elements: Vec<ArtElement>,
 }
 
-/// An element of a picture; every place in it is finite.
+/// An element of a picture; all its coordinates are finite.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ArtElement {
-    /// Chains of straight lines, closed or not.
+    /// Polylines, open or closed.
     Path {
         runs: Vec<Vec<Vec2>>,
         is_closed: bool,
@@ -41,7 +42,7 @@ pub(crate) enum ArtElement {
         radius: f64,
         class: String,
     },
-    /// A text of one line.
+    /// A single line of text.
     Text {
         at: Vec2,
         anchor: TextAnchor,
@@ -60,18 +61,18 @@ impl Artwork {
         }
     }
 
-    /// How large it is.
+    /// Returns the size, in user units.
     pub(crate) fn size(&self) -> Vec2 {
         self.size
     }
 
-    /// What is drawn, from the bottom up.
+    /// Returns the elements, from the bottom up.
     #[cfg(test)]
     pub(crate) fn elements(&self) -> &[ArtElement] {
         &self.elements
     }
 
-    /// A chain of straight lines; what is not finite breaks it.
+    /// Adds a polyline, interrupted at points that are not finite.
     pub(crate) fn polyline(&mut self, points: impl IntoIterator<Item = Vec2>, class: &str) {
         let mut runs: Vec<Vec<Vec2>> = Vec::new();
         let mut pen_is_down = false;
@@ -87,7 +88,7 @@ impl Artwork {
         self.path(runs, false, class);
     }
 
-    /// A closed outline.
+    /// Adds a closed polygon.
     pub(crate) fn polygon(&mut self, points: impl IntoIterator<Item = Vec2>, class: &str) {
         let corners: Vec<Vec2> = points.into_iter().filter(|p| p.is_finite()).collect();
         let runs = if corners.is_empty() {

@@ -1,31 +1,31 @@
-//! Where the columns of a table stand at a width.
+//! Arranges the columns of a table within a width.
 
 use super::line::{Line, Span, TextRole};
 use super::table::{Cell, Rest, Setting};
 use super::words::{cut_within, length};
 use std::ops::Range;
 
-/// Columns of figures behind names, side by side as far as there is room.
+/// Columns of values to the right of names, next to each other as far as they fit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ColumnLayout {
     setting: Setting,
-    /// The column behind the names.
+    /// The width of the name column, with its indentation.
     names: usize,
     widths: Vec<usize>,
     chunks: Vec<Chunk>,
 }
 
-/// Columns that stand side by side.
+/// Columns printed next to each other.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Chunk {
     columns: Range<usize>,
-    /// Blanks before each of them.
+    /// The number of blanks before each column.
     gap: usize,
 }
 
 impl ColumnLayout {
-    /// Columns of these widths behind names of so many characters; those that `open` are the first of what
-    /// belongs together, and rather begin a chunk than end one.
+    /// Arranges columns of these widths to the right of names of `names` characters. Columns for
+    /// which `opens` returns `true` begin a group and preferably begin a chunk.
     pub(crate) fn fit(
         setting: &Setting,
         names: usize,
@@ -39,7 +39,7 @@ impl ColumnLayout {
         let mut start = 0;
         while start < widths.len() {
             let fits = |end: &usize| needed(start..*end) <= width;
-            // One column is shown even where it does not fit.
+            // A single column is shown even if it does not fit.
             let longest = (start + 1..=widths.len()).take_while(fits).last();
             let longest = longest.unwrap_or(start + 1);
             let is_end = |end: &usize| *end == widths.len() || opens(*end);
@@ -54,7 +54,7 @@ impl ColumnLayout {
             let spare = width.saturating_sub(needed(columns.clone()));
             setting.spread.min(spare / columns.len().max(1))
         };
-        // Fewer columns stand no wider apart than more do.
+        // The spacing in chunks with fewer columns is not wider than in the fullest chunk.
         let fullest = chunks.iter().rev().max_by_key(|columns| columns.len());
         let most = fullest.map_or(0, spread);
         let chunk = |columns: Range<usize>| Chunk {
@@ -70,12 +70,12 @@ impl ColumnLayout {
         }
     }
 
-    /// The columns that stand side by side, chunk by chunk.
+    /// Returns the columns of each chunk.
     pub(crate) fn ranges(&self) -> impl Iterator<Item = &Range<usize>> {
         self.chunks.iter().map(|chunk| &chunk.columns)
     }
 
-    /// Whether every chunk has room in so many characters.
+    /// Returns `true` if every chunk fits into this width.
     pub(crate) fn fits(&self, width: usize) -> bool {
         let needed = |chunk: &Chunk| {
             let widths = self.widths.get(chunk.columns.clone()).unwrap_or_default();
@@ -84,19 +84,19 @@ impl ColumnLayout {
         self.chunks.iter().all(|chunk| needed(chunk) <= width)
     }
 
-    /// By how many blanks columns move apart.
+    /// Returns the maximum additional spacing of the columns.
     pub(super) fn spread(&self, setting: &Setting) -> usize {
         let gaps = self.chunks.iter().map(|chunk| chunk.gap);
         gaps.max().unwrap_or(0).saturating_sub(setting.gap)
     }
 
-    /// Whether all columns stand side by side.
+    /// Returns `true` if all columns fit next to each other.
     pub(super) fn is_whole(&self, width: usize) -> bool {
         let shown: usize = self.ranges().map(ExactSizeIterator::len).sum();
         self.chunks.len() < 2 && shown == self.widths.len() && self.fits(width)
     }
 
-    /// The line of a row: its name behind its mark, and the cells of a chunk, to the right of their columns.
+    /// Creates the line of a row: its mark, its name, and the right-aligned cells of a chunk.
     pub(crate) fn line<'c>(
         &self,
         range: &Range<usize>,
@@ -129,7 +129,7 @@ impl ColumnLayout {
         line
     }
 
-    /// Behind the names.
+    /// Returns the width of the name column.
     pub(super) fn names(&self) -> usize {
         self.names
     }

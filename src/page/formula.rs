@@ -1,14 +1,14 @@
-//! Formulas in lines.
+//! Breaks formulas into lines.
 
 use super::Equation;
 use super::words::{fill, length};
 
-/// Blanks before a formula.
+/// Indentation of a formula.
 const INDENT: usize = 2;
-/// A left side up to here keeps the following sides below its sign of equality.
+/// Maximum width of a left side for which further sides are aligned at its equals sign.
 const SHORT_SIDE: usize = 16;
 
-/// A chain of sides: on one line, or side below side.
+/// Breaks a chain of sides: on one line if it fits, or else side below side.
 pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
     let sides = &equation.sides;
     let indent = " ".repeat(INDENT);
@@ -23,7 +23,7 @@ pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
     if left > SHORT_SIDE || left + 2 * INDENT > width / 2 {
         return terms(&whole, width, 2 * INDENT);
     }
-    // As many sides to a line as fit, the signs of equality below one another.
+    // Each line takes as many sides as fit, with the equals signs aligned.
     let mut rows: Vec<String> = Vec::new();
     let begin = INDENT + left + " = ".len();
     for side in others {
@@ -49,13 +49,13 @@ pub(super) fn lines(equation: &Equation, width: usize) -> Vec<String> {
     lines
 }
 
-/// A formula in lines of at most `width` columns, broken before the signs between its terms.
+/// Breaks a formula into lines of at most `width` columns, before the signs between its terms.
 fn terms(formula: &str, width: usize, indent: usize) -> Vec<String> {
     let own = formula.len() - formula.trim_start().len();
     fill(&parts(formula), width, [own, indent])
 }
 
-/// The terms of a formula, each with the sign before it: breaks only outside of brackets.
+/// Splits a formula into terms, each with the sign before it; brackets are not split.
 fn parts(formula: &str) -> Vec<String> {
     let mut parts: Vec<String> = Vec::new();
     let mut depth = 0_usize;
@@ -68,7 +68,7 @@ fn parts(formula: &str) -> Vec<String> {
         let open = word.matches('(').count();
         depth = (depth + open).saturating_sub(word.matches(')').count());
     }
-    // That a sum is 0 does not stand on a line of its own.
+    // `= 0` at the end of a sum does not get a line of its own.
     if let [.., last, end] = &mut parts[..]
         && end == "= 0"
     {

@@ -1,5 +1,6 @@
-//! A page as one HTML file that needs no other: tables as tables, formulas with their indices, pictures as
-//! SVG inside. No script; on a screen light or dark as the reader prefers, on paper light, A4.
+//! Writes a page as one self-contained HTML file: tables, formulas with indices and inline SVG
+//! pictures. It has no script. It is light or dark on a screen, as the reader prefers, and light on
+//! A4 paper.
 
 use super::math::{MathPiece, UNIT, pieces};
 use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
@@ -41,7 +42,7 @@ h2,h3{break-after:avoid}}
 const DARK: &str = ":root{--ink:#ddd;--paper:#181818;--line:#555;--quiet:#aaa;--found:#ff9a94}\n";
 
 impl Page {
-    /// The page as an HTML file.
+    /// Returns the page as an HTML file.
     #[must_use]
     pub fn to_html(&self) -> String {
         let mut title = String::new();
@@ -83,7 +84,7 @@ pub(crate) fn html_document(title: &str, head: &str, body: &str) -> String {
     )
 }
 
-/// The class of pictures with the sheet of this number.
+/// Returns the class of pictures with the style sheet of this index.
 fn class(number: usize) -> String {
     format!("art{number}")
 }
@@ -168,7 +169,7 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     text + "</tbody></table></div>\n"
 }
 
-/// The name of a row or of a column; a rate is spelled as in the formulas.
+/// Formats the name of a row or column; rates are typeset as in formulas.
 fn name_of(text: &str, symbols: &[String]) -> String {
     match is_spelled(text) || is_symbol(text, symbols) {
         true => formula(&with_marked_unit(text)),
@@ -176,7 +177,7 @@ fn name_of(text: &str, symbols: &[String]) -> String {
     }
 }
 
-/// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
+/// Formats a paragraph: text in backticks as code, rates and powers as in formulas.
 fn prose(text: &str, symbols: &[String]) -> String {
     let mut out = String::new();
     for piece in super::prose::pieces(text, symbols) {
@@ -190,7 +191,8 @@ fn prose(text: &str, symbols: &[String]) -> String {
     out
 }
 
-/// A cell; one with a symbol of its own is a formula, and what was found or is sought.
+/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
+/// highlighted.
 fn figures(text: &str) -> String {
     match text.contains(" = ") {
         true => format!("<td class=\"found\">{}</td>", formula(text)),
@@ -198,14 +200,14 @@ fn figures(text: &str) -> String {
     }
 }
 
-/// A formula with its indices and powers.
+/// Formats a formula with its indices and powers.
 fn formula(text: &str) -> String {
     let mut out = String::new();
     for piece in pieces(text) {
         let _ = match piece {
             MathPiece::Symbol(letter, index, order) => {
                 let dots = ["", "\u{307}", "\u{308}"][order.min(2)];
-                // Of a name of several letters the first bears the dots.
+                // The first of several letters carries the dots.
                 let (first, rest) =
                     letter.split_at(letter.chars().next().map_or(0, char::len_utf8));
                 let (first, rest) = (marked_up(first), marked_up(rest));

@@ -1,4 +1,5 @@
-//! A page as LaTeX that a plain TeX Live sets: the class `article`, amsmath, and TikZ for pictures.
+//! Writes a page as LaTeX that a plain TeX Live can process: the class `article`, amsmath, and TikZ
+//! for pictures.
 
 use super::math::{MathPiece, UNIT, closing, pieces};
 use super::prose::{ProsePiece, is_spelled, is_symbol, with_marked_unit};
@@ -24,11 +25,11 @@ const HEAD: &str = "\
 \\begin{document}
 ";
 
-/// Characters to a line of the paper; a table of more is made smaller.
+/// Characters per line of paper; wider tables are scaled down.
 const LINE: usize = 76;
 
 impl Page {
-    /// The page as a LaTeX document.
+    /// Returns the page as a LaTeX document.
     #[must_use]
     pub fn to_latex(&self) -> String {
         let mut text = HEAD.to_owned();
@@ -43,7 +44,7 @@ impl Content {
     fn latex(&self, symbols: &[String]) -> String {
         match self {
             Content::Title(text) => format!("{{\\LARGE\\bfseries {}\\par}}\n", escaped(text)),
-            // Headings come with their numbers.
+            // Headings include their numbers.
             Content::Heading(1, text) => format!("\n\\section*{{{}}}\n", escaped(text)),
             Content::Heading(_, text) => format!("\n\\subsection*{{{}}}\n", escaped(text)),
             Content::Text(text) => format!("\n{}\n", prose(text.trim(), symbols)),
@@ -56,7 +57,7 @@ impl Content {
     }
 }
 
-/// A drawing in characters: blanks are as wide as they are.
+/// Formats a drawing in characters; blanks keep their width.
 fn in_characters(lines: &[String]) -> String {
     let lines = lines.iter().map(|line| escaped(line).replace(' ', "~"));
     let lines: Vec<String> = lines.collect();
@@ -66,7 +67,7 @@ fn in_characters(lines: &[String]) -> String {
     )
 }
 
-/// A picture where it stands, its caption below.
+/// Formats a picture at its position in the text, its caption below.
 fn figure(picture: &Illustration, symbols: &[String]) -> String {
     format!(
         "\n\\begin{{center}}\n{}\n\\smallskip\n\n{{\\small {}\\par}}\n\\end{{center}}\n",
@@ -130,7 +131,7 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     let Some((head, body)) = rows.split_first() else {
         return String::new();
     };
-    // A table does not go on behind the end of a page.
+    // A tabular does not break across pages.
     let parts = body.chunks(ROWS).map(|rows| {
         let mut lines = format!("{} \\\\ \\hline\n", line(head));
         for row in rows {
@@ -148,15 +149,16 @@ fn columns(table: &Table, symbols: &[String]) -> String {
     parts.collect()
 }
 
-/// Rows of a table on one page.
+/// Maximum number of rows of a table on one page.
 const ROWS: usize = 40;
 
-/// A cell; one with a symbol of its own is a formula, and what was found or is sought.
+/// Formats a cell. A cell with an equation is a formula for a result or an unknown, and is
+/// highlighted.
 fn cell(text: &str, symbols: &[String]) -> String {
     let negative = text
         .strip_prefix('-')
         .filter(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    // A rate is spelled as in the formulas.
+    // Rates are typeset as in formulas.
     if (is_spelled(text) || is_symbol(text, symbols)) && !text.contains(" = ") {
         return format!("\\({}\\)", formula(&with_marked_unit(text)));
     }
@@ -167,7 +169,7 @@ fn cell(text: &str, symbols: &[String]) -> String {
     }
 }
 
-/// A formula in mathematics.
+/// Formats a formula in math mode.
 fn formula(text: &str) -> String {
     set(&pieces(text))
 }
@@ -176,7 +178,7 @@ fn set(pieces: &[MathPiece]) -> String {
     let mut out = String::new();
     let mut k = 0;
     while let Some(piece) = pieces.get(k) {
-        // A root goes over all that its brackets hold.
+        // A root covers the whole content of its brackets.
         if let MathPiece::Function(name) = piece
             && name == "sqrt"
             && let Some(end) = closing(pieces, k + 1)
@@ -230,7 +232,7 @@ fn one(piece: &MathPiece) -> String {
     }
 }
 
-/// Dots over a letter; of a name of several the first bears them.
+/// Puts dots over a letter; in a name of several letters, over the first.
 fn dotted(dots: &str, letter: &str) -> String {
     let word = letter.strip_prefix("\\text{");
     let first = word.and_then(|word| word.chars().next());
@@ -243,7 +245,7 @@ fn dotted(dots: &str, letter: &str) -> String {
     }
 }
 
-/// A paragraph: what is meant to be typed as such, and rates and powers as in the formulas.
+/// Formats a paragraph: text in backticks as typewriter text, rates and powers as in formulas.
 fn prose(text: &str, symbols: &[String]) -> String {
     let mut out = String::new();
     for piece in super::prose::pieces(text, symbols) {
@@ -259,7 +261,8 @@ fn prose(text: &str, symbols: &[String]) -> String {
     out
 }
 
-/// Words stand apart, factors hardly; signs make their own room.
+/// Returns the space between two pieces: wide next to words, narrow between factors, none next to
+/// signs, which bring their own.
 fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str {
     let is_sign = |piece: Option<&MathPiece>| {
         matches!(
@@ -276,12 +279,12 @@ fn blank(before: Option<&MathPiece>, behind: Option<&MathPiece>) -> &'static str
     } else if is_sign(before) || is_sign(behind) {
         " "
     } else {
-        // A product that is longer than a line is broken between its factors, rather than nowhere.
+        // A product longer than a line is broken between its factors.
         "\\,\\penalty900 "
     }
 }
 
-/// The name of a Greek letter.
+/// Returns the command of a Greek letter.
 fn greek(letter: &str) -> Option<&'static str> {
     Some(match letter {
         "θ" => "\\theta",
@@ -295,11 +298,11 @@ fn greek(letter: &str) -> Option<&'static str> {
     })
 }
 
-/// Letters beyond ASCII that every TeX sets.
+/// Letters beyond ASCII that every TeX can typeset.
 const LETTERS: &str = "ÀÁÂÃÄÅÇÈÉÊËÌÍÎÏÑÒÓÔÕÖØÙÚÛÜÝàáâãäåçèéêëìíîïñòóôõöøùúûüýÿßæÆœŒ\
                        ĞğİıŞşĂăĆćČčĎďĚěŁłŃńŇňŐőŘřŚśŠšŤťŮůŰűŹźŻżŽž";
 
-/// A text of which TeX takes nothing for a command; what it cannot set is `?`.
+/// Escapes a text for TeX; characters that TeX cannot typeset become `?`.
 pub(super) fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -324,7 +327,7 @@ pub(super) fn escaped(text: &str) -> String {
             '·' => out.push_str("\\ensuremath{\\cdot}"),
             '→' => out.push_str("\\ensuremath{\\rightarrow}"),
             '\u{2212}' => out.push_str("\\ensuremath{-}"),
-            // Two would become a dash.
+            // Two hyphens would become a dash.
             '-' if out.ends_with('-') => out.push_str("{}-"),
             c if c.is_ascii_graphic() || c == ' ' || LETTERS.contains(c) => out.push(c),
             c => match greek(c.encode_utf8(&mut [0; 4])) {

@@ -1,4 +1,4 @@
-//! A page line by line, at a width.
+//! Lays out a page line by line, at a given width.
 
 use super::columns::ColumnLayout;
 use super::line::{Line, Span, TextRole};
@@ -7,24 +7,25 @@ use super::words::{NARROWEST, broken, length, wrapped};
 use super::{Content, Facts, Page, TextStyle, formula};
 use std::ops::Range;
 
-/// What is asked for names takes no larger part of the width than one in so many.
+/// A requested width of the names is limited to one part of the width in this many.
 const SHARE: usize = 3;
 
 impl Page {
-    /// The lines for a screen: a column that has no room even alone is cut.
+    /// Returns the lines for a screen; a column that does not fit even alone is cut off.
     #[must_use]
     pub fn lines(&self, style: TextStyle) -> Vec<Line> {
         self.laid_out(style, Medium::Screen)
     }
 
-    /// The lines.
+    /// Returns the lines for a medium.
     pub(super) fn laid_out(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
         let TextStyle { ascii, width } = style;
         let room = PageRoom { width, medium };
         let names = self.is_aligned.then(|| self.shown(ascii).names(room));
         let mut lines = Vec::new();
         for block in &self.blocks {
-            // Block by block: a copy of all would be as large as the page.
+            // Converts one block at a time, because a copy of the whole page would double the
+            // memory.
             let content = block.content.shown(ascii);
             let mut below = content.lines(names, room);
             if medium == Medium::Screen && matches!(content, Content::Table(_)) {
@@ -39,7 +40,7 @@ impl Page {
         lines
     }
 
-    /// The room that names take everywhere.
+    /// Returns the common name column of all tables and facts.
     fn names(&self, room: PageRoom) -> NameColumn {
         let contents = || self.blocks.iter().map(|block| &block.content);
         let tables = || {
@@ -71,23 +72,25 @@ impl Page {
     }
 }
 
-/// What a page is laid out for.
+/// The medium that a page is laid out for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Medium {
-    /// Nothing is left out: a line may be too long.
+    /// Paper: all text is kept, and a line may be too long.
     Paper,
-    /// What has no room is cut, or left out where a part of it would say something else.
+    /// A screen: text that does not fit is cut off, or left out if a part of it would be
+    /// misleading.
     Screen,
 }
 
-/// How much room there is, and on what.
+/// The available width and the medium.
 #[derive(Clone, Copy, Debug)]
 struct PageRoom {
     width: usize,
     medium: Medium,
 }
 
-/// The room that names take, whether they say more, and by how many blanks columns move apart at the most.
+/// The width of the name column, whether long names are used, and the maximum additional spacing of
+/// the columns.
 #[derive(Clone, Copy, Debug)]
 struct NameColumn {
     width: usize,
@@ -128,13 +131,13 @@ impl Content {
     }
 }
 
-/// What is asked for, where it is a fair part of the width.
+/// Limits a requested width to a fixed share of the available width.
 fn fair(asked: usize, width: usize) -> usize {
     asked.min(width / SHARE)
 }
 
 impl Facts {
-    /// Characters of the names, with the blanks behind them.
+    /// Returns the width of the names, with the blanks behind them.
     fn names(&self, width: usize) -> usize {
         let names = self.list.iter().map(|(name, _)| length(name) + 1);
         names.chain([fair(self.names, width)]).max().unwrap_or(0)
@@ -164,13 +167,13 @@ impl Facts {
 }
 
 impl Table {
-    /// The longest mark: what the rows are stands above their names, behind it.
+    /// Returns the longest mark. The title of the rows is aligned with the names behind it.
     fn mark(&self) -> &str {
         let marks = self.rows.iter().map(|row| row.label(false).0);
         marks.max_by_key(|mark| length(mark)).unwrap_or("")
     }
 
-    /// Characters of the names.
+    /// Returns the width of the names.
     fn names(&self, more: bool, room: PageRoom) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
@@ -189,14 +192,14 @@ impl Table {
         }
     }
 
-    /// As many characters as names may take so that a column has room beside them.
+    /// Returns the maximum width of the names that leaves enough space for the widest column.
     fn most_names(&self, width: usize) -> usize {
         let widest = self.widths().into_iter().max().unwrap_or(0);
         let column = self.setting.indent + self.setting.gap + widest;
         width.saturating_sub(column).max(width / SHARE)
     }
 
-    /// How wide each column is by itself.
+    /// Returns the width of each column.
     fn widths(&self) -> Vec<usize> {
         let least = &self.setting.least;
         let head = |column: usize| {
@@ -223,7 +226,7 @@ impl Table {
     fn columns(&self, names: usize, spread: usize, room: PageRoom) -> ColumnLayout {
         let setting = Setting {
             spread: self.setting.spread.min(spread),
-            // Paper has room below for everything.
+            // On paper, all columns fit below one another.
             rest: match room.medium {
                 Medium::Paper => Rest::Below,
                 Medium::Screen => self.setting.rest,
@@ -233,7 +236,7 @@ impl Table {
         ColumnLayout::fit(&setting, names, self.widths(), |_| true, room.width)
     }
 
-    /// Whether all columns stand beside names of so many characters.
+    /// Returns `true` if all columns fit next to names of this width.
     fn is_whole(&self, names: usize, room: PageRoom) -> bool {
         self.columns(names, 0, room).is_whole(room.width)
     }
@@ -282,7 +285,7 @@ impl Table {
         }
     }
 
-    /// The rows with something in a chunk; none where there is nothing but names.
+    /// Returns the rows with cells in a chunk; empty if there are only names.
     fn rows_of(
         &self,
         columns: &ColumnLayout,
@@ -332,7 +335,7 @@ impl Table {
     }
 }
 
-/// Words behind the name of a row, or below it.
+/// Places words next to the name of a row or, if they do not fit, below it.
 fn told(
     mut head: Line,
     names: usize,
@@ -357,7 +360,8 @@ fn told(
 }
 
 impl Line {
-    /// Leaves out what stands behind so many columns; part of a figure would be another one.
+    /// Cuts the line off at this width. Values are left out, because a part of one would be a
+    /// different value.
     fn cut(&mut self, most: usize) {
         let is_whole = |span: &Span| span.at + length(&span.text) <= most;
         self.spans

@@ -1,31 +1,31 @@
-//! A line of a page at some width.
+//! Represents a line of a page at a given width.
 
 use super::Unsure;
 
-/// A line: pieces of text, each at its place, from left to right.
+/// A line: spans of text at given columns, from left to right.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Line {
-    /// The pieces.
+    /// The spans.
     pub spans: Vec<Span>,
 }
 
-/// A piece of a line.
+/// A span of a line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Span {
     /// The column in which it begins.
     pub at: usize,
-    /// Its characters.
+    /// Its text.
     pub text: String,
-    /// What it is.
+    /// Its role.
     pub role: TextRole,
-    /// Which of its characters nothing proves.
+    /// The digits that no error bound proves.
     pub unsure: Unsure,
 }
 
-/// What a piece of a line is.
+/// The role of a span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextRole {
-    /// What the page is about.
+    /// The title of the page.
     Title,
     /// A heading of the first level.
     Part,
@@ -39,16 +39,16 @@ pub enum TextRole {
     Label,
     /// The letter of a chart.
     Mark,
-    /// A figure: shown whole or not at all.
+    /// A value: shown completely or not at all.
     Figure,
-    /// What is said by the way.
+    /// A side note.
     Aside,
     /// Anything else.
     Body,
 }
 
 impl Line {
-    /// A line of one piece, which begins with its first character.
+    /// Creates a line of one span, which begins at its first non-blank character.
     pub(crate) fn of(role: TextRole, text: impl Into<String>) -> Line {
         let mut line = Line::default();
         let text: String = text.into();
@@ -57,13 +57,13 @@ impl Line {
         line
     }
 
-    /// What the line is: as its first piece; the body of the page where there is none.
+    /// Returns the role of the line: that of its first span, or the body's if there is none.
     #[must_use]
     pub fn role(&self) -> TextRole {
         self.spans.first().map_or(TextRole::Body, |span| span.role)
     }
 
-    /// Adds a piece at a place; nothing where it says nothing.
+    /// Adds a span at a column, unless it is empty.
     pub(crate) fn push(&mut self, at: usize, text: impl Into<String>, role: TextRole) {
         let text = text.into();
         if !text.is_empty() {
@@ -77,7 +77,7 @@ impl Line {
         }
     }
 
-    /// The line as text, without blanks at its end.
+    /// Returns the line as text, without trailing blanks.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();

@@ -1,9 +1,9 @@
-//! A page as Markdown: headings, tables and formulas between fences.
+//! Writes a page as Markdown: headings, tables, and formulas in fenced blocks.
 
 use super::{Content, Facts, Page, Row, Table};
 
 impl Page {
-    /// The text as Markdown; with `ascii` Greek letters are spelled.
+    /// Returns the page as Markdown; with `ascii`, Greek letters are spelled out.
     #[must_use]
     pub fn to_markdown(&self, ascii: bool) -> String {
         let mut parts = Vec::new();
@@ -82,7 +82,7 @@ fn columns(table: &Table) -> String {
     text
 }
 
-/// What Markdown would take for a mark of its own, escaped.
+/// Escapes the characters with a special meaning in Markdown.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

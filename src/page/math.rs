@@ -1,39 +1,39 @@
-//! Formulas taken apart, for writers that set them as formulas are set.
+//! Splits formulas into pieces, for writers that typeset them.
 
 /// A piece of a formula.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum MathPiece {
-    /// A symbol: its letter, its index, and by how many dots it is differentiated by time.
+    /// A symbol: its letter, its index and its order of differentiation by time, shown as dots.
     Symbol(String, String, usize),
     /// `cos`.
     Function(String),
-    /// A unit of one letter, which is no symbol: the `s` of `mm/s`, behind [`UNIT`].
+    /// A unit of one letter, which is no symbol: the `s` of `mm/s`, following [`UNIT`].
     Unit(String),
-    /// A number, and the power of ten behind it.
+    /// A number, and the power of ten that follows it.
     Number(String, Option<String>),
-    /// What is raised: `2`.
+    /// An exponent: `2`.
     Power(String),
-    /// A sign, or a bracket.
+    /// A sign or a bracket.
     Sign(char),
-    /// One blank or more.
+    /// One or more blanks.
     Blank,
 }
 
-/// Stands before a unit: `2 {UNIT}N m`. Nothing else tells the unit of seconds from a length named `s`. Plain texts are
-/// shown without it.
+/// The marker before a unit: `2 {UNIT}N m`. It distinguishes the unit of seconds from a length
+/// named `s`. Plain texts are shown without it.
 pub(crate) const UNIT: char = '\u{e000}';
 
-/// Units that follow another one behind a blank, as in `N m`.
+/// Units that can follow another one and a blank, as in `N m`.
 const FACTORS: [&str; 7] = ["m", "mm", "cm", "in", "s", "rad", "kg"];
 
 const FUNCTIONS: [&str; 8] = ["sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt"];
-/// Components, which have an index though no figure does.
+/// Names of components, which have an index although no digit occurs.
 const COMPONENTS: [&str; 18] = [
     "mx", "my", "ax", "ay", "ex", "ey", "fx", "fy", "tx", "ty", "sx", "sy", "nx", "ny", "Kx", "Ky",
     "Fx", "Fy",
 ];
 
-/// The pieces of a formula.
+/// Splits a formula into pieces.
 pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
     let chars: Vec<char> = formula.chars().collect();
     let mut pieces = Vec::new();
@@ -92,7 +92,8 @@ pub(super) fn pieces(formula: &str) -> Vec<MathPiece> {
     pieces
 }
 
-/// The name at the beginning: `-` within it joins, for one that subtracts stands between blanks.
+/// Returns the name at the beginning. A `-` within it belongs to the name, because a minus sign is
+/// surrounded by blanks.
 fn name(chars: &[char]) -> String {
     let is_letter = |c: &char| c.is_alphanumeric() || matches!(c, '_' | '.' | '\'');
     let joins = |k: usize| chars[k] == '-' && chars.get(k + 1).is_some_and(|c| c.is_alphanumeric());
@@ -100,7 +101,7 @@ fn name(chars: &[char]) -> String {
     chars[..length.count()].iter().collect()
 }
 
-/// Returns `true` if what follows a part of a unit is another part of it.
+/// Returns `true` if the text following a part of a unit is another part of it.
 fn goes_on(rest: &[char]) -> bool {
     match rest.first() {
         Some('/' | '^') => true,
@@ -110,7 +111,7 @@ fn goes_on(rest: &[char]) -> bool {
     }
 }
 
-/// `e-14` behind a number.
+/// Returns the exponent of `e-14` following a number.
 fn exponent(rest: &[char]) -> Option<String> {
     let behind = rest.strip_prefix(&['e'])?;
     let sign = usize::from(matches!(behind.first(), Some('-' | '+')));
@@ -119,7 +120,8 @@ fn exponent(rest: &[char]) -> Option<String> {
     (digits > 0).then(|| behind[..sign + digits].iter().collect())
 }
 
-/// Of `dr4` before `/dt`, and of `d2r4` before `/dt2`, the name, and which derivative it is.
+/// Returns the name and the order of a derivative: of `dr4` before `/dt`, or of `d2r4` before
+/// `/dt2`.
 fn derivative<'n>(name: &'n str, rest: &[char]) -> Option<(&'n str, usize)> {
     let follows = |word: &str| {
         let word: Vec<char> = word.chars().collect();
@@ -133,7 +135,7 @@ fn derivative<'n>(name: &'n str, rest: &[char]) -> Option<(&'n str, usize)> {
     Some((inner, 1)).filter(|(inner, _)| !inner.is_empty())
 }
 
-/// A name as a symbol with its index: `r3`, `θ3`, `α_ram`, `aB`, `a_r3.com_t`.
+/// Splits a name into a symbol and its index: `r3`, `θ3`, `α_ram`, `aB`, `a_r3.com_t`.
 fn named(name: &str, order: usize) -> MathPiece {
     let split = |at: usize| (name[..at].to_owned(), name[at..].to_owned());
     let first = name.chars().next().map_or(0, char::len_utf8);
@@ -158,12 +160,13 @@ fn named(name: &str, order: usize) -> MathPiece {
     MathPiece::Symbol(letter, index, order)
 }
 
-/// Symbols begin with a Greek letter where no Latin one does; words of a language have letters of their own.
+/// Returns `true` for a Greek letter. Symbols begin with one if not with a Latin letter; words of a
+/// language have other letters.
 fn is_greek(c: char) -> bool {
     ('\u{370}'..='\u{3ff}').contains(&c)
 }
 
-/// Behind the bracket that the one at this place opens, there is what follows it.
+/// Returns the index of the bracket that closes the one at this position.
 pub(super) fn closing(pieces: &[MathPiece], open: usize) -> Option<usize> {
     let mut depth = 0_usize;
     for (k, piece) in pieces.iter().enumerate().skip(open) {

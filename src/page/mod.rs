@@ -1,11 +1,12 @@
-//! A page: what is to be read, as data, before anybody knows how wide the reader's screen is.
+//! Represents reports as data, independent of the width of the reader's screen.
 //!
 //! Reports fill pages. A page is written as plain text ([`Page::to_text`]), as Markdown
-//! ([`Page::to_markdown`]), as an HTML file ([`Page::to_html`]), as LaTeX ([`Page::to_latex`]), or line by line for a screen ([`Page::lines`]), where every part of a line says
-//! what it is by its [`TextRole`] and nothing about colours.
+//! ([`Page::to_markdown`]), as an HTML file ([`Page::to_html`]), as LaTeX ([`Page::to_latex`]), or
+//! line by line for a screen ([`Page::lines`]). Every part of a line has a [`TextRole`], but no
+//! colours.
 //!
-//! Its strings are written with Greek letters, `·` for a product and `→` from point to point; a writer
-//! spells them out where they cannot be shown.
+//! Its strings contain Greek letters, `·` for a product and `→` from point to point. A writer
+//! spells them out if they cannot be displayed.
 
 mod artwork;
 mod columns;
@@ -48,90 +49,91 @@ pub(crate) use words::wrapped;
 
 use std::sync::Arc;
 
-/// Something to read.
+/// A document.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Page {
-    /// Its parts in order.
+    /// Its blocks in order.
     pub blocks: Vec<Block>,
-    /// Whether the names in all its tables and facts take the same room, so that they stand in one column.
+    /// Whether the names in all its tables and facts have the same width, so that they form one
+    /// column.
     pub is_aligned: bool,
-    /// Names that are set as in formulas where a sentence has them.
+    /// The names to typeset as symbols within sentences.
     symbols: Vec<String>,
     /// The numbers of the last headings of level 1 and 2.
     numbers: [usize; 2],
 }
 
-/// A part of a page.
+/// A block of a page.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Block {
-    /// What is to be read.
+    /// The content.
     pub content: Content,
-    /// Whether a blank line stands before it.
+    /// Whether a blank line precedes it.
     pub is_apart: bool,
 }
 
-/// What is to be read.
+/// The content of a block.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
-    /// What the page is about.
+    /// The title of the page.
     Title(String),
     /// A heading of level 1 or 2.
     Heading(u8, String),
     /// A paragraph.
     Text(String),
-    /// Names, and what is told of them.
+    /// Names with their descriptions.
     Facts(Facts),
     /// Formulas below one another.
     Equations(Vec<Equation>),
-    /// Figures in columns.
+    /// Values in columns.
     Table(Table),
-    /// A drawing in characters, line by line as it stands.
+    /// A drawing in characters, line by line, unchanged.
     Characters(Vec<String>),
-    /// Something to look at.
+    /// A picture.
     Picture(Illustration),
 }
 
-/// A picture with what is said of it, and the same in characters for those who read text.
+/// A picture with its caption, and a version in characters for text output.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Illustration {
     /// The picture.
     pub artwork: Arc<Artwork>,
-    /// What it shows.
+    /// The caption.
     pub caption: String,
-    /// What it shows in characters, where that is less.
+    /// The caption of the version in characters, if that shows less.
     pub in_characters: Option<String>,
     /// The picture in characters, line by line.
     pub characters: Vec<String>,
 }
 
 impl Illustration {
-    /// What the picture in characters shows.
+    /// Returns the caption of the version in characters.
     pub(crate) fn told(&self) -> &str {
         self.in_characters.as_deref().unwrap_or(&self.caption)
     }
 }
 
-/// Names, and what is told of each.
+/// Names with their descriptions.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Facts {
-    /// Characters of the names, with the blanks behind them: so many, but no more than a third of the width,
-    /// and as many as the longest takes.
+    /// The minimum width of the names in characters, including the blanks behind them, limited to a
+    /// third of the width. The longest name can require more.
     pub names: usize,
-    /// Blanks before the rest of a fact that takes several lines.
+    /// The indentation of continuation lines of a description.
     pub hanging: usize,
-    /// A name and its facts, each of which begins a line.
+    /// Each name with its descriptions, which begin on separate lines.
     pub list: Vec<(String, Vec<String>)>,
 }
 
 /// A chain of equal sides: `m = sqrt(350^2 + 86.6^2) = 360.555 mm`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equation {
-    /// The sides, the symbol that is found first.
+    /// The sides; the first is the symbol to be determined.
     pub sides: Vec<String>,
 }
 
 impl Page {
-    /// An empty page of which all names take the same room.
+    /// Creates an empty page whose names all have the same width.
     pub(crate) fn aligned() -> Page {
         Page {
             is_aligned: true,
@@ -139,37 +141,37 @@ impl Page {
         }
     }
 
-    /// Sets these names as in formulas where a sentence has them.
+    /// Sets the names to typeset as symbols within sentences.
     pub(crate) fn set_symbols(&mut self, names: impl IntoIterator<Item = String>) {
         self.symbols = names.into_iter().collect();
     }
 
-    /// Adds a part, with a blank line before it where the part before does not lead to it.
+    /// Adds a block, preceded by a blank line unless the previous block introduces it.
     pub(crate) fn add(&mut self, content: Content) {
         let before = self.blocks.last();
         let is_apart = before.is_some_and(|before| !before.content.leads_to(&content));
         self.blocks.push(Block { content, is_apart });
     }
 
-    /// Adds a part directly below the one before.
+    /// Adds a block without a blank line before it.
     pub(crate) fn add_below(&mut self, content: Content) {
         let is_apart = false;
         self.blocks.push(Block { content, is_apart });
     }
 
-    /// What the page is about: the one text that may hold any character.
+    /// Adds the title: the only text that may contain any character.
     pub(crate) fn title(&mut self, title: &str) {
         self.add(Content::Title(title.to_owned()));
     }
 
-    /// A heading of the first level, with its number.
+    /// Adds a numbered heading of the first level.
     pub(crate) fn part(&mut self, text: &str) {
         let [part, _] = self.numbers;
         self.numbers = [part + 1, 0];
         self.add(Content::Heading(1, format!("{} {text}", part + 1)));
     }
 
-    /// A heading of the second level, with its number.
+    /// Adds a numbered heading of the second level.
     pub(crate) fn section(&mut self, text: impl AsRef<str>) {
         self.numbers[1] += 1;
         let [part, section] = self.numbers;
@@ -177,7 +179,7 @@ impl Page {
         self.add(Content::Heading(2, text));
     }
 
-    /// A heading of the second level, without a number.
+    /// Adds a heading of the second level without a number.
     pub(crate) fn heading(&mut self, text: impl Into<String>) {
         self.add(Content::Heading(2, text.into()));
     }
@@ -186,12 +188,12 @@ impl Page {
         self.add(Content::Text(text.into()));
     }
 
-    /// A sentence directly below what stands before.
+    /// Adds a paragraph without a blank line before it.
     pub(crate) fn text_below(&mut self, text: impl Into<String>) {
         self.add_below(Content::Text(text.into()));
     }
 
-    /// A formula; formulas that follow one another stand together.
+    /// Adds a formula; consecutive formulas form one block.
     pub(crate) fn equation<S: Into<String>>(&mut self, sides: impl IntoIterator<Item = S>) {
         let sides = sides.into_iter().map(Into::into).collect();
         let equation = Equation { sides };
@@ -207,7 +209,7 @@ impl Page {
 }
 
 impl Facts {
-    /// What is told of a name; nothing where nothing is told.
+    /// Adds a name with its descriptions, unless there are none.
     pub(crate) fn tell(&mut self, name: &str, told: impl IntoIterator<Item = String>) {
         let told: Vec<String> = told.into_iter().collect();
         if !told.is_empty() {
@@ -217,7 +219,8 @@ impl Facts {
 }
 
 impl Content {
-    /// Whether another part stands directly below: below a heading, and below a text that announces it.
+    /// Returns `true` if the next block follows directly, as it does below a heading and below a
+    /// text that ends with a colon.
     fn leads_to(&self, next: &Content) -> bool {
         match self {
             Content::Heading(..) => !matches!(next, Content::Heading(..)),

@@ -1,4 +1,5 @@
-//! Paragraphs taken apart, for writers that set what is typed, and rates, powers and names, as such.
+//! Splits paragraphs into pieces, for writers that typeset code, rates, powers and names
+//! differently.
 
 use super::math::UNIT;
 
@@ -7,15 +8,15 @@ use super::math::UNIT;
 pub(super) enum ProsePiece<'t> {
     /// Words with their blanks.
     Words(&'t str),
-    /// What stood between backticks.
+    /// Text between backticks.
     Typed(&'t str),
-    /// A rate, something with a power, or a name of formulas.
+    /// A rate, a term with a power, or a symbol.
     Formula(&'t str),
     /// A unit with a power.
     Unit(&'t str),
 }
 
-/// Whether a text has what is spelled in another way where formulas are set.
+/// Returns `true` if a text contains a rate or a power, which formulas typeset differently.
 pub(super) fn is_spelled(text: &str) -> bool {
     text.contains("/dt") || text.contains('^')
 }
@@ -28,21 +29,23 @@ pub(super) fn with_marked_unit(text: &str) -> String {
     }
 }
 
-/// What may stand behind a number of a sentence as its unit.
+/// The units that can follow a number in a sentence.
 const UNITS: [&str; 13] = [
     "mm", "cm", "m", "in", "s", "rad", "deg", "N", "kg", "W", "J", "rpm", "min",
 ];
 
-/// Words of both languages that are names, too: in a sentence they are words.
+/// Words of both languages that can also be names; within a sentence they count as words.
 const WORDS: [&str; 4] = ["a", "A", "I", "o"];
 
-/// Returns `true` if a word of a sentence is a symbol of formulas: one of these names, or what begins with a Greek letter.
+/// Returns `true` if a word of a sentence is a symbol: one of these names, or a word that begins
+/// with a Greek letter.
 pub(super) fn is_symbol(word: &str, symbols: &[String]) -> bool {
     let is_greek = word.starts_with(['θ', 'ω', 'α', 'β', 'γ', 'μ', 'ν']);
     is_greek || symbols.iter().any(|name| name == word) && !WORDS.contains(&word)
 }
 
-/// The pieces of a paragraph, in which these names are symbols; a backtick without its other is one.
+/// Splits a paragraph into pieces, with these names as symbols. An unpaired backtick stays a
+/// backtick.
 pub(super) fn pieces<'t>(text: &'t str, symbols: &[String]) -> Vec<ProsePiece<'t>> {
     let mut pieces = Vec::new();
     let mut rest = text;
@@ -66,7 +69,7 @@ fn is_number(word: &str) -> bool {
         .starts_with(|c: char| c.is_ascii_digit())
 }
 
-/// Returns `true` if a word is made of units alone: `mm`, `rad/s^2`.
+/// Returns `true` if a word consists of units only: `mm`, `rad/s^2`.
 fn is_unit(word: &str) -> bool {
     let mut parts = word
         .split(['/', '^', '2', '3'])
@@ -85,7 +88,7 @@ fn push_words<'t>(text: &'t str, symbols: &[String], pieces: &mut Vec<ProsePiece
         };
         let is_measured = std::mem::replace(&mut is_behind_number, is_number(word));
         let is_unit = word.starts_with(UNIT) || is_measured && is_unit(word);
-        // An ending of Turkish stands behind an apostrophe.
+        // A Turkish suffix follows an apostrophe.
         let stem = match word.rsplit_once('\'') {
             Some((stem, end)) if !end.is_empty() && is_symbol(stem, symbols) => stem,
             _ => word,

@@ -1,27 +1,27 @@
-//! Text as a terminal can show it.
+//! Converts the texts of a page to characters that a terminal can display.
 
 use super::math::UNIT;
 use super::{Block, Cell, Content, Equation, Facts, Head, Illustration, Page, Row, Table};
 use crate::document::sanitized;
 
-/// How a page is laid out.
+/// The layout of a page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TextStyle {
-    /// 7-bit characters alone: Greek letters are spelled.
+    /// Whether only 7-bit characters are allowed: Greek letters are spelled out.
     pub ascii: bool,
-    /// Columns; lines are broken where they can be.
+    /// The number of columns; lines are wrapped where possible.
     pub width: usize,
 }
 
 impl TextStyle {
-    /// A plain terminal.
+    /// Returns the style of a plain terminal, 80 columns wide.
     pub(crate) const fn plain(ascii: bool) -> TextStyle {
         TextStyle { ascii, width: 80 }
     }
 }
 
 impl Page {
-    /// The page with every text as it is shown: nothing in it harms a terminal.
+    /// Returns the page with every text as displayed: nothing in it can harm a terminal.
     pub(super) fn shown(&self, ascii: bool) -> Page {
         let blocks = self.blocks.iter();
         let block = |block: &Block| Block {
@@ -37,12 +37,12 @@ impl Page {
 }
 
 impl Content {
-    /// The same with every text as it is shown.
+    /// Returns the content with every text as displayed.
     pub(super) fn shown(&self, ascii: bool) -> Content {
         self.with_texts(&|text| shown(&text.replace(UNIT, ""), ascii))
     }
 
-    /// The same for writers that set formulas: units keep their marks.
+    /// Returns the content for writers that typeset formulas: sanitized, with the markers of units.
     pub(super) fn harmless(&self) -> Content {
         self.with_texts(&|text| shown(text, false))
     }
@@ -116,8 +116,8 @@ impl Row {
     }
 }
 
-/// The text as it is shown; with `ascii` letters and signs of formulas are spelled, and what has no spelling
-/// is `?`.
+/// Returns the text as displayed. With `ascii`, letters and signs of formulas are spelled out, and
+/// characters without a spelling become `?`.
 fn shown(text: &str, ascii: bool) -> String {
     if ascii && !text.is_ascii() {
         sanitized(&spelled(text), ascii)

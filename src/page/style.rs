@@ -1,16 +1,16 @@
-//! What the classes of a picture look like: one sheet of rules, written into SVG and HTML as it is and read
-//! here for those who know no style sheets.
+//! Defines the appearance of a picture's classes by one style sheet, which is written to SVG and
+//! HTML unchanged and interpreted here for other formats.
 
-/// Rules beside those for paper, lines (`path`) and `text`.
+/// Rules in addition to those for paper, lines (`path`) and `text`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct StyleSheet {
-    /// Everywhere.
+    /// The rules for all grounds.
     pub(crate) light: &'static str,
-    /// On top of that, where the reader prefers a dark ground.
+    /// The additional rules for a dark ground.
     pub(crate) dark: &'static str,
 }
 
-/// The ink that stands alone where a viewer knows no preference; `currentColor` would be black there.
+/// The colours for viewers that know no preference; `currentColor` would be black there.
 pub(super) const LIGHT: &str = "\
 .paper{fill:#fff}
 path{fill:none;stroke:#222;stroke-width:2;stroke-linecap:round;stroke-linejoin:round}
@@ -22,7 +22,8 @@ path{stroke:#ddd}
 text{fill:#ddd}
 ";
 
-/// How an element is drawn on light paper: colours as `005fd7`, `None` where it has none.
+/// The appearance of an element on light paper. Colours are strings such as `005fd7`, `None` if not
+/// drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Look {
     pub(super) stroke: Option<String>,
@@ -34,7 +35,8 @@ pub(super) struct Look {
 }
 
 impl StyleSheet {
-    /// How an element of a kind (`path`, `circle`, `text`) with these classes looks on light paper.
+    /// Returns the appearance of an element of a kind (`path`, `circle`, `text`) with these classes
+    /// on light paper.
     pub(super) fn look(&self, kind: &str, classes: &str) -> Look {
         let mut look = Look {
             stroke: None,
@@ -51,7 +53,7 @@ impl StyleSheet {
                 .filter_map(|selector| rank(selector, kind, classes));
             found.extend(ranks.max().map(|rank| (rank, declarations)));
         }
-        // Of two rules the one that names more classes holds, and then the later one.
+        // A rule with more classes takes precedence, then the later one.
         found.sort_by_key(|(rank, _)| *rank);
         for (_, declarations) in found {
             for declaration in declarations.split(';') {
@@ -82,13 +84,14 @@ impl Look {
     }
 }
 
-/// The rules of a sheet: selectors, and what they are told.
+/// Returns the rules of a sheet: selectors and declarations.
 pub(super) fn rules(sheet: &str) -> impl Iterator<Item = (&str, &str)> {
     let rules = sheet.split('}').filter_map(|rule| rule.split_once('{'));
     rules.map(|(selectors, declarations)| (selectors.trim(), declarations))
 }
 
-/// How much a selector says of an element that it is meant for: how many classes it names.
+/// Returns the specificity of a selector, that is, the number of its classes; `None` if it does not
+/// match the element.
 fn rank(selector: &str, kind: &str, classes: &str) -> Option<usize> {
     let mut parts = selector.trim().split('.');
     let of_kind = parts.next().unwrap_or("");
@@ -102,7 +105,7 @@ fn rank(selector: &str, kind: &str, classes: &str) -> Option<usize> {
     (of_kind.is_empty() || of_kind == kind).then_some(named)
 }
 
-/// `#05d` or `#0055dd` as `0055dd`; nothing for `none`.
+/// Parses `#05d` or `#0055dd` to `0055dd`; returns `None` for `none`.
 fn colour(value: &str) -> Option<String> {
     let digits = value.strip_prefix('#')?;
     match digits.len() {

@@ -1,7 +1,7 @@
-//! A picture as SVG: a document of its own, or a part of a page.
+//! Writes a picture as SVG: as a separate document or as a part of a page.
 //!
-//! The document lies on a paper of its own, light or dark as the reader prefers, so that it reads well on
-//! any ground. Text loses its control characters and is escaped: no scene can write markup.
+//! The document has its own paper, light or dark as the reader prefers, so that it is legible on
+//! any ground. Text is escaped, without control characters: no scene can inject markup.
 
 use super::artwork::{ArtElement, Artwork, TextAnchor};
 use super::math::UNIT;
@@ -10,22 +10,23 @@ use crate::Vec2;
 use crate::document::sanitized;
 use std::fmt::Write as _;
 
-/// The ground that a document is drawn for.
+/// The ground of a document.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SvgGround {
-    /// Light, and dark where the reader prefers that.
+    /// Light, or dark if the reader prefers that.
     Preferred,
-    /// Dark for every reader, also for one who knows no preference.
+    /// Dark for every reader, including viewers without a preference.
     Dark,
 }
 
 impl Artwork {
-    /// The picture as a document.
+    /// Returns the picture as a document.
     pub(crate) fn svg(&self, ground: SvgGround) -> String {
         self.svg_on_paper(ground, None)
     }
 
-    /// The same where a user unit has so many millimetres on paper, if any.
+    /// Returns the picture as a document with a size on paper, if `millimetres` gives the size of a
+    /// user unit.
     pub(crate) fn svg_on_paper(&self, ground: SvgGround, millimetres: Option<f64>) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
         let [paper_w, paper_h] = [self.size.x, self.size.y].map(|side| match millimetres {
@@ -47,7 +48,8 @@ impl Artwork {
         )
     }
 
-    /// The picture as an element of a page, which has the rules of its sheet under this class.
+    /// Returns the picture as an element of a page, which has the rules of its style sheet under
+    /// this class.
     pub(super) fn svg_inside(&self, class: &str) -> String {
         let [w, h] = [self.size.x, self.size.y].map(number);
         let title = marked_up(&self.title);
@@ -101,7 +103,7 @@ impl Artwork {
 }
 
 impl StyleSheet {
-    /// The rules for pictures of a class inside a page, light or dark.
+    /// Returns the rules for pictures of a class inside a page, light or dark.
     pub(super) fn scoped(&self, class: &str, is_dark: bool) -> String {
         let (usual, own) = match is_dark {
             false => (LIGHT, self.light),
@@ -133,14 +135,14 @@ fn path_data(runs: &[Vec<Vec2>], is_closed: bool) -> String {
     data
 }
 
-/// Hundredths of a user unit are finer than any printer.
+/// Formats a coordinate with two decimals: a hundredth of a user unit is finer than any printer.
 pub(super) fn number(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     if text == "-0" { "0" } else { text }.to_owned()
 }
 
-/// A text that no reader of SVG or HTML takes for markup.
+/// Escapes a text for SVG and HTML.
 pub(crate) fn marked_up(text: &str) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in sanitized(text, false).chars() {

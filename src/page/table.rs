@@ -1,114 +1,116 @@
-//! Figures in columns, as data.
+//! Represents tables of values as data.
 
 use super::line::TextRole;
 use super::words::length;
 use std::ops::Range;
 
-/// Rows under a head: names to the left, figures to the right of them.
+/// Rows under a head: names on the left, values on the right.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Table {
-    /// What the rows are.
+    /// The title of the name column.
     pub title: String,
     /// The columns.
     pub heads: Vec<Head>,
-    /// No more cells to a row than there are columns.
+    /// The rows, none with more cells than there are columns.
     pub rows: Vec<Row>,
-    /// How it is set.
+    /// The layout settings.
     pub setting: Setting,
 }
 
-/// A column: what it shows, and its unit.
+/// The head of a column: its name and its unit.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Head {
     /// Its name.
     pub name: String,
-    /// Its unit; empty where it has none, or where the name has it already.
+    /// Its unit; empty if it has none, or if the name includes it.
     pub unit: String,
 }
 
 /// A row.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Row {
-    /// What begins here: the rows below belong together.
+    /// A subheading for the rows below.
     Part(String),
-    /// Figures.
+    /// A row of values.
     Figures {
-        /// Before the name: the letter of a chart.
+        /// The mark before the name: the letter of a chart.
         mark: String,
-        /// What the row is about.
+        /// The name of the row.
         name: String,
-        /// The same with more to say, where there is room.
+        /// A longer name, used if there is enough space.
         more: Option<String>,
-        /// The figures; `None` where the row has no such figure at all.
+        /// The values; `None` if the row has no such value.
         cells: Vec<Option<Cell>>,
     },
-    /// A row that has words in the place of figures.
+    /// A row with words instead of values.
     Told {
-        /// Before the name.
+        /// The mark before the name.
         mark: String,
-        /// What the row is about.
+        /// The name of the row.
         name: String,
-        /// What is told of it.
+        /// The words.
         words: String,
     },
 }
 
-/// A figure as it is written.
+/// A formatted value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Cell {
     /// Its characters.
     pub text: String,
-    /// Which of them nothing proves.
+    /// The digits that no error bound proves.
     pub unsure: Unsure,
 }
 
-/// Which digits of a figure its bound does not cover.
+/// The digits of a value that its error bound does not prove.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unsure {
-    /// None: all of them are proved.
+    /// No digits: all of them are proved.
     Nothing,
-    /// Those at these places of the text.
+    /// The digits at these positions of the text.
     Last(Range<usize>),
-    /// All: there is no bound.
+    /// All digits: there is no bound.
     Everything,
 }
 
-/// How a table is set.
+/// The layout settings of a table.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
-    /// Blanks before the names.
+    /// The number of blanks before the names.
     pub(crate) indent: usize,
-    /// Characters of the names: so many, but no more than a third of the width, and as many as the longest takes.
+    /// The minimum width of the names in characters, limited to a third of the width. The longest
+    /// name can require more.
     pub(crate) names: usize,
-    /// Characters of the columns, at the least; the last one stands for all that follow.
+    /// The minimum widths of the columns in characters; the last one applies to all further
+    /// columns.
     pub(crate) least: Vec<usize>,
-    /// Blanks between two columns, at the least.
+    /// The minimum number of blanks between two columns.
     pub(crate) gap: usize,
-    /// By so many blanks more columns move apart where there is room.
+    /// The maximum number of additional blanks between columns.
     pub(crate) spread: usize,
-    /// Where units stand.
+    /// The position of the units.
     pub(crate) units: Units,
-    /// What becomes of columns that do not fit beside the others.
+    /// The treatment of columns that do not fit next to the others.
     pub(crate) rest: Rest,
-    /// What the rows are called by: names of things, or labels of what is told.
+    /// The role of the row names: names of elements, or labels of descriptions.
     pub(crate) called: TextRole,
 }
 
-/// Where the units of columns stand.
+/// The position of the units of columns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Units {
     /// Behind the names: `r [mm]`.
     Behind,
-    /// In a line of their own.
+    /// In a separate line.
     Below,
 }
 
-/// What becomes of columns that do not fit beside the others.
+/// The treatment of columns that do not fit next to the others.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rest {
-    /// They follow below, under the same names.
+    /// They follow below, with the same names.
     Below,
-    /// They are left out: the first say most.
+    /// They are left out: the first columns are the most important.
     LeftOut,
 }
 
@@ -128,7 +130,8 @@ impl Default for Setting {
 }
 
 impl Setting {
-    /// Characters of a mark with the blanks between it and its name: it belongs to it more than a figure does.
+    /// Returns the width of a mark with the blanks between it and its name. The gap is narrower
+    /// than between columns.
     pub(super) fn with_mark(&self, mark: &str) -> usize {
         match mark {
             "" => 0,
@@ -138,7 +141,7 @@ impl Setting {
 }
 
 impl Table {
-    /// A table whose columns need no units.
+    /// Creates a table whose columns have no units.
     pub(crate) fn new<H: Into<String>>(
         title: impl Into<String>,
         heads: impl IntoIterator<Item = H>,
@@ -154,13 +157,13 @@ impl Table {
         }
     }
 
-    /// The same, set in another way.
+    /// Sets the layout settings.
     pub(crate) fn set(mut self, setting: Setting) -> Table {
         self.setting = setting;
         self
     }
 
-    /// A row of figures.
+    /// Adds a row of values.
     pub(crate) fn row(
         &mut self,
         name: impl Into<String>,
@@ -176,19 +179,19 @@ impl Table {
 }
 
 impl Head {
-    /// Of a name and a unit, which may be empty.
+    /// Creates a head from a name and a unit, which may be empty.
     pub(crate) fn of(name: &str, unit: &str) -> Head {
         let (name, unit) = (name.to_owned(), unit.to_owned());
         Head { name, unit }
     }
 
-    /// As the name of a column is written in one line.
+    /// Returns the name with its unit on one line.
     pub(crate) fn whole(&self) -> String {
         with_unit(&self.name, &self.unit)
     }
 }
 
-/// A name with its unit in brackets, if it has one.
+/// Returns a name with its unit in brackets, if it has one.
 pub(crate) fn with_unit(name: &str, unit: &str) -> String {
     match unit {
         "" => name.to_owned(),
@@ -197,7 +200,7 @@ pub(crate) fn with_unit(name: &str, unit: &str) -> String {
 }
 
 impl Row {
-    /// What stands to the left, with more to say or without, behind its mark.
+    /// Returns the mark and the name of the row; with `more`, the longer name.
     pub(super) fn label(&self, more: bool) -> (&str, &str) {
         match self {
             Row::Part(name) => ("", name),
@@ -213,7 +216,7 @@ impl Row {
 }
 
 impl Cell {
-    /// Text without a digit that might be wrong.
+    /// Creates a cell whose digits are all proved.
     pub(crate) fn sure(text: impl Into<String>) -> Cell {
         Cell {
             text: text.into(),

@@ -1,4 +1,4 @@
-//! Pages at widths.
+//! Tests pages at various widths.
 
 use super::*;
 

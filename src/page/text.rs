@@ -1,10 +1,11 @@
-//! A page as plain text.
+//! Writes a page as plain text.
 
 use super::layout::Medium;
 use super::{Content, Page, TextRole, TextStyle};
 
 impl Page {
-    /// The text, every line with its end. A page in parts has its title and its parts underlined.
+    /// Returns the text, with a newline after every line. If the page has parts, its title and its
+    /// parts are underlined.
     #[must_use]
     pub fn to_text(&self, style: TextStyle) -> String {
         let has_parts = |page: &Page| {

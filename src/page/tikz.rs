@@ -1,4 +1,5 @@
-//! A picture in TikZ: the elements of the SVG, in the look that its style sheet gives them on paper.
+//! Writes a picture in TikZ: the elements of the SVG, with their appearance on paper from the style
+//! sheet.
 
 use super::artwork::{ArtElement, Artwork, TextAnchor};
 use super::latex::escaped;
@@ -7,17 +8,17 @@ use super::svg::number;
 use crate::Vec2;
 use std::fmt::Write as _;
 
-/// The width of a picture in millimetres where it has so many user units, and at most.
+/// Millimetres per user unit, and maximum width of a picture in millimetres.
 const MILLIMETRES: f64 = 160.0 / 800.0;
 const WIDEST: f64 = 160.0;
-/// User units of the letters, and of a point of type where a picture has its usual size.
+/// The font size in user units, and the size of a typographic point in millimetres.
 const LETTERS: f64 = 13.0;
 const POINT: f64 = 0.352_78;
-/// TeX counts no further; what lies outside of the picture is cut off.
+/// Maximum coordinate that TeX can handle; the picture is clipped anyway.
 const FARTHEST: f64 = 4000.0;
 
 impl Artwork {
-    /// The picture as a `tikzpicture`.
+    /// Returns the picture as a `tikzpicture`.
     pub(super) fn tikz(&self) -> String {
         let unit = MILLIMETRES.min(WIDEST / self.size.x.max(1.0));
         let [w, h] = [self.size.x, self.size.y].map(number);
@@ -47,7 +48,7 @@ impl Artwork {
                 for run in runs {
                     let places: Vec<String> = run.iter().map(|&p| place(p)).collect();
                     let end = if *is_closed { " -- cycle" } else { "" };
-                    // One point is a dot, which round ends make of a line to itself.
+                    // A single point is drawn as a dot: a line to itself with round ends.
                     let dot = if places.len() == 1 { " -- cycle" } else { end };
                     let _ = writeln!(out, "\\path[{options}] {}{dot};", places.join("--"));
                 }
@@ -66,7 +67,7 @@ impl Artwork {
                 text,
             } => {
                 let look = self.style.look("text", class);
-                // What is only drawn around letters is there to set them off.
+                // Outlines around letters only separate them from their background.
                 let Some(ink) = look.fill else { return };
                 let anchor = match anchor {
                     TextAnchor::Start => "base west",
@@ -84,7 +85,7 @@ impl Artwork {
     }
 }
 
-/// How a path is drawn; nothing where it is not seen.
+/// Returns the options that draw a path; `None` if it is invisible.
 fn options(look: &Look, unit: f64) -> Option<String> {
     let mut options = Vec::new();
     if let Some(ink) = &look.stroke {
@@ -111,7 +112,7 @@ fn options(look: &Look, unit: f64) -> Option<String> {
     (!options.is_empty()).then(|| options.join(","))
 }
 
-/// A colour of six digits in the words of the package for colours.
+/// Returns a colour of six hexadecimal digits in the syntax of xcolor.
 fn mixed(digits: &str) -> String {
     let part = |k: usize| {
         let digits = digits.get(2 * k..2 * k + 2).unwrap_or("00");

@@ -1,6 +1,7 @@
-//! Words in lines.
+//! Breaks words into lines.
 
-/// The words of a text in lines of at most `width` characters; a longer word has its own line.
+/// Wraps the words of a text into lines of at most `width` characters; a longer word gets its own
+/// line.
 pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -15,15 +16,16 @@ pub(crate) fn wrapped(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The words of a text in lines of at most `width` columns, each behind the blanks that the text begins with.
+/// Wraps the words of a text into lines of at most `width` columns, each indented like the text.
 pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
     let own = text.len() - text.trim_start_matches(' ').len();
     let words: Vec<String> = text.split_whitespace().map(str::to_owned).collect();
     fill(&words, width, [own, own])
 }
 
-/// Parts in lines of at most `width` columns: `indents` blanks before the first line and before the
-/// others. A part that is longer than a line is broken at its blanks, or anywhere.
+/// Fills lines of at most `width` columns with parts. `indents` are the numbers of blanks before
+/// the first line and before the others. A part longer than a line is broken at its blanks, or
+/// anywhere.
 pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<String> {
     let width = width.max(NARROWEST);
     let [first, other] = indents.map(|indent| indent.min(width / 2));
@@ -59,10 +61,10 @@ pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<S
     lines
 }
 
-/// On a narrower screen than this lines are cut.
+/// Minimum width; on a narrower screen, lines are cut off.
 pub(super) const NARROWEST: usize = 8;
 
-/// The words of a part, none longer than `most`.
+/// Splits a part into words of at most `most` characters.
 fn short_words(part: &str, most: usize) -> Vec<String> {
     let most = most.max(1);
     let words = part
@@ -72,7 +74,7 @@ fn short_words(part: &str, most: usize) -> Vec<String> {
     cut.collect()
 }
 
-/// The text, or where it is longer than `most` characters, its beginning and two points.
+/// Shortens a text to at most `most` characters, with two points at its end if it was longer.
 #[cfg(feature = "tui")]
 pub(crate) fn cut(text: &str, most: usize) -> String {
     if length(text) <= most {
@@ -82,8 +84,8 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
     format!("{}..", beginning.trim_end())
 }
 
-/// A name, or where it is longer than `most` characters, its beginning and its end: `rocker_of..ss.angle`. What tells
-/// figures of one thing apart stands last.
+/// Shortens a name to at most `most` characters, with its beginning and end: `rocker_of..ss.angle`.
+/// The end distinguishes values of one element.
 pub(super) fn cut_within(name: &str, most: usize) -> String {
     let all: Vec<char> = name.chars().collect();
     if all.len() <= most {
@@ -95,7 +97,7 @@ pub(super) fn cut_within(name: &str, most: usize) -> String {
     format!("{begin}..{end}")
 }
 
-/// Columns of a text of one column to a character.
+/// Returns the width of a text, one column per character.
 pub(super) fn length(text: &str) -> usize {
     text.chars().count()
 }

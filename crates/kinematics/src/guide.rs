@@ -1,7 +1,7 @@
-//! How krank finds what it shows: a page for each room of the solver, with its derivations.
+//! Explains how krank computes its results, with derivations: one page per part of the solver.
 //!
-//! Each page is the introduction of its room in the source as well. The symbols are those of the
-//! [front page](crate#notation); what can be asked of it all stands at [`solver`](crate::solver).
+//! Each page is also the module documentation of that part in the source. The symbols are those of
+//! the [front page](crate#notation). The queries are listed at [`solver`](crate::solver).
 
 pub mod elements {
     #![doc = include_str!("guide/elements.md")]

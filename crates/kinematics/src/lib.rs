@@ -1,4 +1,4 @@
-//! Planar linkages with one input: position, velocity and acceleration of every point and link,
+//! Analyses planar linkages with one input: position, velocity and acceleration of every point and link,
 //! forces, and a bound on the error of every value.
 //!
 //! A [`Mechanism`] holds points, links, slides and the driver by typed ids. [`solver::Solver`] plans

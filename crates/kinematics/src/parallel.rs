@@ -1,18 +1,20 @@
-//! Several pieces of work on several cores, their results in their order.
+//! Runs jobs on several cores and returns their results in order.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Sender, channel};
 use std::thread::{self, Scope};
 
-/// Threads that this machine works with at once.
+/// Returns the number of threads that this machine runs at once.
 pub fn cores() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// Does pieces of work in any order, each in the room of its thread, and gives what came of them in theirs: the same
-/// whatever the number of threads. Where no thread can be created, the calling one does the work. `watch` is told the
-/// part that is done, and by answering false lets no piece begin any more; what was done until then comes out. A panic
-/// of any of them goes on here.
+/// Runs `count` jobs in any order and returns their results by index; the result does not depend on
+/// the number of threads.
+///
+/// `room` creates the scratch space of each thread. If no thread can be created, the calling thread
+/// does the work. `watch` receives the completed fraction; once it returns `false`, no further job
+/// starts, and the results so far are returned. A panic in a job is propagated.
 pub fn each<R, T: Send>(
     count: usize,
     threads: usize,
@@ -56,7 +58,7 @@ pub fn each<R, T: Send>(
     found.into_iter().map(|(_, one)| one).collect()
 }
 
-/// Starts a thread; false where the system creates none.
+/// Starts a thread. Returns `false` if the system cannot create one.
 fn begins<'scope, T: Send + 'scope>(
     scope: &'scope Scope<'scope, '_>,
     send_all: &'scope (impl Fn(Sender<T>) + Sync),

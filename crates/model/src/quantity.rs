@@ -1,6 +1,6 @@
-//! Everything that has a name, a unit and a value.
+//! Defines quantities: everything with a name, a unit and a value.
 //!
-//! Tables, plots, CSV columns, JSON keys and the demand given to the solver all come from here.
+//! Tables, plots, CSV columns, JSON keys and the demand on the solver are all derived from them.
 
 mod catalogue;
 mod clock;
@@ -36,34 +36,34 @@ use crate::solver::{Demand, Order, State};
 use crate::{Ball, Dual, Number};
 use std::sync::Arc;
 
-/// A figure that can be shown.
+/// A quantity that can be displayed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
-    /// The column's name: `C.vx`, `r3.omega`, `r4.length`, `r3.com.x`.
+    /// The column name: `C.vx`, `r3.omega`, `r4.length`, `r3.com.x`.
     pub name: String,
     /// The unit: `mm/s`.
     pub unit: String,
-    /// Where its value comes from.
+    /// The source of its value.
     pub source: FigureSource,
 }
 
-/// Where the value of a figure comes from.
+/// The source of a quantity's value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum FigureSource {
-    /// The solver finds it: what it is about, and which of its figures.
+    /// Computed by the solver: the subject and its aspect.
     Solved(Subject, Aspect),
-    /// It is made of others.
+    /// Computed from other quantities.
     Derived(Arc<Derived>),
 }
 
 impl Quantity {
-    /// The value in this state, or `None` where none exists.
+    /// Returns the value in this state, or `None` if it does not exist.
     #[must_use]
     pub fn value<T: Number>(&self, state: &State<T>) -> Option<T> {
         self.found(state).filter(|v| v.is_finite())
     }
 
-    /// The same, though it may be too large for a number.
+    /// Returns the value in this state, which may be infinite or NaN.
     fn found<T: Number>(&self, state: &State<T>) -> Option<T> {
         match &self.source {
             FigureSource::Solved(subject, aspect) => value::found(*subject, *aspect, state),
@@ -73,8 +73,8 @@ impl Quantity {
         }
     }
 
-    /// The value that it is made of, where `find` tells the figures of the solver; `None` where one of these is
-    /// missing.
+    /// Returns the value computed from the solver's values given by `find`; `None` if one of these
+    /// is missing.
     #[must_use]
     pub fn made_of(&self, find: impl Fn(Subject, Aspect) -> Option<f64>) -> Option<f64> {
         let made = match &self.source {
@@ -84,20 +84,21 @@ impl Quantity {
         made.filter(|v| v.is_finite())
     }
 
-    /// How far the value in this state can be from the true one, in the same unit; `None` where
-    /// there is no value, or no bound can be proved.
+    /// Returns a bound on the error of the value in this state, in the quantity's unit. Returns
+    /// `None` if there is no value or no bound can be proved.
     #[must_use]
     pub fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
         let (value, ball) = (self.value(state)?, self.value(enclosure)?);
         value::apart(value, ball, self.is_direction())
     }
 
-    /// Whether it can turn over, by a formula.
+    /// Returns `true` if its formula has kinks.
     fn has_sides(&self) -> bool {
         matches!(&self.source, FigureSource::Derived(derived) if derived.has_sides())
     }
 
-    /// The steps of its formula that may turn over in this state, within the bounds of what they take.
+    /// Returns the steps of its formula that may be at a kink in this state, within the bounds of
+    /// their arguments.
     fn kinks(&self, enclosure: &State<Ball>) -> Vec<usize> {
         match &self.source {
             FigureSource::Solved(..) => Vec::new(),
@@ -107,7 +108,7 @@ impl Quantity {
         }
     }
 
-    /// The derivative with these steps of its formula on their other side.
+    /// Returns the derivative with these steps of its formula on the other side of their kinks.
     fn slope_beyond(&self, kinks: &[usize], state: &State<Dual>) -> Option<f64> {
         match &self.source {
             FigureSource::Solved(..) => None,
@@ -118,7 +119,7 @@ impl Quantity {
         }
     }
 
-    /// What it is about, if that is one thing.
+    /// Returns its subject, if it has exactly one.
     #[must_use]
     pub fn subject(&self) -> Option<Subject> {
         match &self.source {
@@ -127,7 +128,7 @@ impl Quantity {
         }
     }
 
-    /// Which figure of its subject it is; `None` where it is made of others.
+    /// Returns the aspect of its subject; `None` for a quantity computed from others.
     #[must_use]
     pub fn aspect(&self) -> Option<Aspect> {
         match &self.source {
@@ -136,13 +137,13 @@ impl Quantity {
         }
     }
 
-    /// Whether it is the driver's coordinate.
+    /// Returns `true` for the driver's coordinate.
     #[must_use]
     pub fn is_driver(&self) -> bool {
         matches!(self.source, FigureSource::Solved(Subject::Driver, _))
     }
 
-    /// Whether it is a direction, in degrees from 0 to below 360.
+    /// Returns `true` for a direction, in degrees in [0, 360).
     #[must_use]
     pub fn is_direction(&self) -> bool {
         match &self.source {
@@ -155,7 +156,7 @@ impl Quantity {
         }
     }
 
-    /// How it jumps where a direction that it is made of passes a full turn.
+    /// Returns how it jumps where a direction in it passes a full turn.
     pub(crate) fn cut(&self) -> DirectionCut {
         match &self.source {
             FigureSource::Solved(subject, aspect) => match aspect.kind(*subject).revolution {
@@ -166,7 +167,7 @@ impl Quantity {
         }
     }
 
-    /// How far a state must be solved for it.
+    /// Returns the order to which a state must be solved for it.
     #[must_use]
     pub fn order(&self) -> Order {
         match &self.source {
@@ -178,7 +179,7 @@ impl Quantity {
         }
     }
 
-    /// The figures of the solver that it is made of: itself, where it is one.
+    /// Returns the solver's values that it depends on: itself, for one computed by the solver.
     fn parts(&self) -> Vec<(Subject, Aspect)> {
         match &self.source {
             FigureSource::Solved(subject, aspect) => vec![(*subject, *aspect)],
@@ -186,8 +187,8 @@ impl Quantity {
         }
     }
 
-    /// What its slope over time is, if that is a quantity of a state: of a place the velocity, of that the
-    /// acceleration. Its name and unit are still those of this one.
+    /// Returns its time derivative, if that is a quantity of a state: the velocity for a position,
+    /// the acceleration for a velocity. Its name and unit remain those of this quantity.
     pub(crate) fn rate(&self) -> Option<Quantity> {
         let source = match &self.source {
             FigureSource::Solved(subject, aspect) => FigureSource::Solved(*subject, aspect.rate()?),
@@ -199,8 +200,10 @@ impl Quantity {
         })
     }
 
-    /// Of a figure that is made of others the slope over time in its own unit; the figure that has none, where it
-    /// does not exist.
+    /// Returns the time derivative of a formula's value, in its own unit.
+    ///
+    /// # Errors
+    /// The name of the quantity without a derivative.
     fn differentiated(&self, length: LengthScale) -> Result<Quantity, String> {
         let FigureSource::Derived(derived) = &self.source else {
             return Err(self.name.clone());
@@ -213,14 +216,14 @@ impl Quantity {
         })
     }
 
-    /// The name with the unit in brackets, as a column's header.
+    /// Returns the name with the unit in brackets, as a column header.
     #[must_use]
     pub fn header(&self) -> String {
         format!("{} [{}]", self.name, self.unit)
     }
 }
 
-/// What the solver must do so that these can be read: the demand, and how far to solve.
+/// Returns the demand on the solver for these quantities, and the order to which it must solve.
 #[must_use]
 pub fn demand<'a>(quantities: impl IntoIterator<Item = &'a Quantity>) -> (Demand, Order) {
     let mut demand = Demand::default();

@@ -1,7 +1,8 @@
-//! Angles in degrees and the unit vectors that stand for them.
+//! Converts angles in degrees to unit vectors and back.
 //!
-//! An angle is reduced exactly before any trigonometry, so that multiples of 90 degrees give exact
-//! zeros and ones, and an angle a billion turns on gives the same bits as in the first turn.
+//! An angle is reduced exactly before any trigonometry. Multiples of 90 degrees therefore give
+//! exact zeros and ones, and an angle a billion turns further gives the same bits as in the first
+//! turn.
 
 use super::double::SPLITTER;
 use super::{Halves, U};
@@ -12,27 +13,28 @@ pub const TURN: f64 = 360.0;
 
 /// 1.5 * 2^52: adding and subtracting it rounds to the nearest integer without a library call.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
-/// Up to here 90 times the number of quadrants is exact; beyond, the angle is reduced by a remainder first.
+/// Below this, 90 times the number of quadrants is exact. Larger angles are first reduced by a
+/// remainder.
 const EXACT_QUADRANTS: f64 = 4_503_599_627_370_496.0; // 2^52
 
-/// pi / 180 as a sum: `RADIAN + RADIAN_REST`, and `RADIAN` itself as 26 + 27 bits.
+/// pi / 180 as the sum `RADIAN + RADIAN_REST`, and `RADIAN` itself split into 26 + 27 bits.
 const RADIAN: f64 = 0.017_453_292_519_943_295;
 const RADIAN_REST: f64 = 2.948_652_270_870_168_7e-19;
 const RADIAN_TOP: f64 = 0.017_453_292_384_743_69;
 const RADIAN_TAIL: f64 = RADIAN - RADIAN_TOP;
 
-/// Radians for degrees.
+/// Converts degrees to radians.
 #[must_use]
 pub fn radians(degrees: f64) -> f64 {
     degrees * RADIAN
 }
 
-/// The unit vector at `degrees` from +x, counter-clockwise; each component within 1 ulp
-/// (measured: 0.6 ulp), exact at multiples of 90 degrees. Not finite for an angle that is not.
+/// Returns the unit vector at `degrees` from +x, counter-clockwise. Each component is within 1 ulp
+/// (measured: 0.6 ulp), exact at multiples of 90 degrees. Not finite if the angle is not finite.
 #[inline]
 #[must_use]
 pub fn unit(degrees: f64) -> Vec2 {
-    // Exact: the remainder always is.
+    // The remainder is always exact.
     let reduced = if is_reduced(degrees) {
         degrees
     } else {
@@ -42,28 +44,30 @@ pub fn unit(degrees: f64) -> Vec2 {
     Vec2::new(x, y)
 }
 
-/// Whether the quadrants of an angle can be counted.
+/// Returns `true` if the angle is small enough for its quadrants to be counted exactly.
 #[inline(always)]
 pub(super) fn is_reduced(degrees: f64) -> bool {
     degrees.abs() < EXACT_QUADRANTS
 }
 
-/// The unit vector at a reduced angle, without a branch, so that it can be had in lanes.
+/// Returns the components of the unit vector at a reduced angle. Free of branches, so that it
+/// vectorizes.
 #[inline(always)]
 pub(super) fn components(degrees: f64) -> (f64, f64) {
-    // Its lowest bits count the quadrants, modulo 4; exact by Sterbenz.
+    // The lowest bits of the counter are the quadrant modulo 4. The subtraction is exact by
+    // Sterbenz's lemma.
     let counter = degrees * (1.0 / 90.0) + ROUNDER;
     let (sin, cos) = sin_cos(degrees - 90.0 * (counter - ROUNDER));
     let quadrant = counter.to_bits();
     let odd = quadrant & 1 == 1;
     let (x, y) = if odd { (sin, cos) } else { (cos, sin) };
-    // x is negative in the quadrants 1 and 2, y in 2 and 3.
+    // x is negative in quadrants 1 and 2, y in quadrants 2 and 3.
     let negative = |v: f64, bit: u64| f64::from_bits(v.to_bits() ^ ((bit & 2) << 62));
     (negative(x, quadrant.wrapping_add(1)), negative(y, quadrant))
 }
 
-/// The unit vector at `degrees` as a sum of two vectors, and how far each component can be from that: below
-/// an eighth of what [`unit`] rounds.
+/// Returns the unit vector at `degrees` in double-double, and an error bound for each component.
+/// The bound is below an eighth of the rounding error of [`unit`].
 #[inline(always)]
 pub(crate) fn unit_closely<const FUSED: bool>(degrees: f64) -> (Vec2<Double>, Vec2) {
     let reduced = if is_reduced(degrees) {
@@ -73,7 +77,7 @@ pub(crate) fn unit_closely<const FUSED: bool>(degrees: f64) -> (Vec2<Double>, Ve
     };
     let counter = reduced * (1.0 / 90.0) + ROUNDER;
     let (sin, cos, square) = sin_cos_closely::<FUSED>(reduced - 90.0 * (counter - ROUNDER));
-    // What the series round, each in parts of the square of z: see there.
+    // The rounding errors of the two series, each proportional to z^2: see `sin_cos_closely`.
     let off = [U * 0.06, U * 0.3].map(|part| part * square);
     let minus = |v: Double| -v;
     match counter.to_bits() & 3 {
@@ -84,7 +88,7 @@ pub(crate) fn unit_closely<const FUSED: bool>(degrees: f64) -> (Vec2<Double>, Ve
     }
 }
 
-/// The angle in radians as a sum.
+/// Returns the angle in radians as an unevaluated sum of two doubles.
 #[inline(always)]
 fn in_radians<const FUSED: bool>(degrees: f64) -> (f64, f64) {
     let x = degrees * RADIAN;
@@ -92,7 +96,7 @@ fn in_radians<const FUSED: bool>(degrees: f64) -> (f64, f64) {
         let lost = degrees.mul_add(RADIAN, -x);
         return (x, lost + degrees * RADIAN_REST);
     }
-    // Dekker's product: what the multiplication above rounded away.
+    // Dekker's product: the rounding error of the multiplication above.
     let t = SPLITTER * degrees;
     let top = t - (t - degrees);
     let tail = degrees - top;
@@ -101,11 +105,12 @@ fn in_radians<const FUSED: bool>(degrees: f64) -> (f64, f64) {
     (x, lost + degrees * RADIAN_REST)
 }
 
-/// Sine and cosine of an angle of at most about 45 degrees, as sums, and the fourth power of the angle.
+/// Returns the sine and cosine of an angle of at most about 45 degrees in double-double, and the
+/// fourth power of the angle in radians.
 ///
-/// Taylor's series with z = x^2, x - x z / 6 + x z^2 (...) and 1 - z / 2 + z^2 (...): what stands before the
-/// brackets is carried in twice the digits, and these round their own: x z^2 / 120 six times by u, z^2 / 24 five
-/// times. The terms that are left out are below 2e-19 and 6e-18 z^2.
+/// Uses Taylor series with z = x^2: x - x z / 6 + x z^2 (...) and 1 - z / 2 + z^2 (...). The terms
+/// before the brackets are computed in double-double. The brackets are rounded: x z^2 / 120 six
+/// times by u, z^2 / 24 five times. The omitted terms are below 2e-19 and 6e-18 z^2.
 #[inline(always)]
 fn sin_cos_closely<const FUSED: bool>(degrees: f64) -> (Double, Double, f64) {
     const SIXTH: f64 = 1.0 / 6.0;
@@ -138,11 +143,11 @@ fn sin_cos_closely<const FUSED: bool>(degrees: f64) -> (Double, Double, f64) {
     )
 }
 
-/// Sine and cosine of an angle of at most about 45 degrees.
+/// Returns the sine and cosine of an angle of at most about 45 degrees.
 ///
-/// The angle in radians is carried as `x + rest`, since its rounding alone would cost as much as
-/// everything else. The polynomials are Chebyshev fits of our own on |x| < 0.794: 2e-17 relative in
-/// the sine, 2e-18 absolute in the cosine.
+/// The angle in radians is kept as `x + rest`, because its rounding alone would contribute as much
+/// error as everything else. The polynomials are our own Chebyshev fits on |x| < 0.794, accurate to
+/// 2e-17 relative in the sine and 2e-18 absolute in the cosine.
 #[inline(always)]
 fn sin_cos(degrees: f64) -> (f64, f64) {
     let (x, rest) = in_radians::<false>(degrees);
@@ -162,29 +167,29 @@ fn sin_cos(degrees: f64) -> (f64, f64) {
     (sin, cos)
 }
 
-/// The direction of a vector in degrees, from 0 to below 360; 0 for the null vector.
+/// Returns the direction of a vector in degrees, in [0, 360); 0 for the null vector.
 #[must_use]
 pub fn degrees(direction: Vec2) -> f64 {
     let degrees = direction.y.atan2(direction.x).to_degrees();
     wrapped(degrees)
 }
 
-/// A direction as it is counted by whoever counts from another one: within half a turn of that, in degrees.
+/// Shifts a direction by whole turns to within half a turn of `other`, in degrees.
 pub fn beside(other: f64, direction: f64) -> f64 {
     beside_within(TURN, other, direction)
 }
 
-/// The same of what comes round after a period of its own.
+/// Shifts a value by whole periods to within half a period of `other`.
 pub fn beside_within(period: f64, other: f64, value: f64) -> f64 {
     value - period * ((value - other) / period).round()
 }
 
-/// The same angle from 0 to below 360; one that rounds to 360 is 0.
+/// Returns the equivalent angle in [0, 360); one that rounds to 360 becomes 0.
 #[must_use]
 pub fn wrapped(degrees: f64) -> f64 {
     let rest = degrees % TURN;
     let positive = if rest < 0.0 { rest + TURN } else { rest };
-    // Also clears the sign of a negative zero.
+    // Adding 0.0 also clears the sign of a negative zero.
     if positive >= TURN {
         0.0
     } else {

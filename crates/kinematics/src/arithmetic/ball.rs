@@ -1,44 +1,44 @@
-//! Numbers with a bound on their error.
+//! Implements ball arithmetic: numbers with a bound on their error.
 
 use super::double::{two_product, two_sum};
 use super::{TWICE, U};
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// The bits that hold a double's power of two.
+/// The exponent bits of a double.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
-/// Radii are sums of positive terms, each rounded: this part more covers some ten million of these
-/// roundings, and what underflows.
+/// Factor that covers the rounding of radii. Radii are sums of rounded positive terms; the factor
+/// covers about ten million such roundings, and `TINY` covers underflow.
 pub(crate) const INFLATION: f64 = 1.0 + 1e-9;
 const TINY: f64 = 1e-290;
-/// Squares above this keep all their digits, with what they lose.
+/// Above this, the square of a double and its rounding error are free of underflow.
 const LEAST_SQUARE: f64 = 1e-280;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
-/// All numbers within `radius` of `mid`: what is computed, and how far the truth can be from it.
+/// All numbers within `radius` of `mid`: a computed value with a bound on its error.
 ///
 /// The operations are those of running error analysis (Higham, Accuracy and Stability of Numerical
-/// Algorithms, 2nd ed., chapter 3): the radius of a result covers what the operands' radii do to it
-/// and the rounding of the operation itself. Where nothing can be said, the radius is infinite or
-/// not a number.
+/// Algorithms, 2nd ed., chapter 3). A result's radius covers the propagated radii of the operands
+/// and the rounding of the operation itself. If there is no bound, the radius is infinite or NaN.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ball {
-    /// The middle.
+    /// The midpoint: the computed value.
     pub mid: f64,
-    /// How far the truth can be from it.
+    /// The maximum distance of the true value from the midpoint.
     pub radius: f64,
 }
 
 impl Ball {
-    /// A ball.
+    /// Creates a ball.
     #[inline]
     #[must_use]
     pub const fn new(mid: f64, radius: f64) -> Ball {
         Ball { mid, radius }
     }
 
-    /// How far the truth can be from `value`; `None` where nothing can be said.
+    /// Returns a bound on the distance of the true value from `value`, or `None` if there is no
+    /// bound.
     #[must_use]
     pub fn bound(self, value: f64) -> Option<f64> {
         let bound = (value - self.mid).abs() + self.radius;
@@ -49,28 +49,29 @@ impl Ball {
         (bound < f64::MAX).then_some(bound)
     }
 
-    /// A middle that is moved by what it left out, which two roundings and a product have spoilt.
+    /// Returns a ball with its midpoint corrected by `shift`. The radius grows to cover the error
+    /// of `shift`: two roundings and a product.
     #[inline]
     fn shifted(mid: f64, shift: f64, radius: f64) -> Ball {
         let (mid, lost) = two_sum(mid, shift);
         Ball::new(mid, radius + lost.abs() + 4.0 * U * shift.abs())
     }
 
-    /// Widened by `more` on both sides.
+    /// Returns the ball widened by `more` on both sides.
     #[inline]
     #[must_use]
     pub fn widened(self, more: f64) -> Ball {
         Ball::new(self.mid, self.radius + more)
     }
 
-    /// The largest size in the ball.
+    /// Returns the maximum magnitude in the ball.
     #[inline]
     #[must_use]
     pub fn largest(self) -> f64 {
         self.mid.abs() + self.radius
     }
 
-    /// The smallest size in the ball, 0 where it holds zero.
+    /// Returns the minimum magnitude in the ball; 0 if it contains zero.
     #[inline]
     #[must_use]
     pub fn smallest(self) -> f64 {
@@ -78,7 +79,7 @@ impl Ball {
     }
 }
 
-/// The most by which an operation whose result was rounded to `value` can be off.
+/// Returns the maximum rounding error of an operation whose result was rounded to `value`.
 #[inline]
 pub(crate) fn half_ulp(value: f64) -> f64 {
     f64::from_bits(value.to_bits() & EXPONENT) * U
@@ -88,7 +89,7 @@ impl Add for Ball {
     type Output = Ball;
     #[inline]
     fn add(self, o: Ball) -> Ball {
-        // What the sum itself rounds is known, and often nothing.
+        // The sum's rounding error is known exactly, and is often zero.
         let (mid, lost) = two_sum(self.mid, o.mid);
         Ball::new(mid, self.radius + o.radius + lost.abs())
     }
@@ -121,7 +122,7 @@ impl Mul for Ball {
     type Output = Ball;
     #[inline]
     fn mul(self, o: Ball) -> Ball {
-        // As of a sum.
+        // The product's rounding error is known exactly, as in a sum.
         let (mid, lost) = two_product(self.mid, o.mid);
         let carried = self.mid.abs() * o.radius + self.radius * (o.mid.abs() + o.radius);
         Ball::new(mid, carried + lost.abs())
@@ -165,7 +166,8 @@ impl Number for Ball {
         Ball::new(self.mid * power_of_two, self.radius * power_of_two.abs())
     }
 
-    /// What the constant's double leaves out has a sign, and so has what the product rounds.
+    /// Corrects the midpoint by the constant's low part and by the product's rounding error, since
+    /// both are known with their sign.
     #[inline]
     fn times(self, constant: Constant) -> Ball {
         let Constant { hi, lo, radius, .. } = constant;
@@ -175,7 +177,7 @@ impl Number for Ball {
         Ball::shifted(mid, lost + self.mid * lo, carried)
     }
 
-    /// As of a product.
+    /// Corrects the midpoint by the constant's low part and by the sum's rounding error.
     #[inline]
     fn plus(self, constant: Constant) -> Ball {
         let Constant { hi, lo, radius, .. } = constant;
@@ -183,7 +185,7 @@ impl Number for Ball {
         Ball::shifted(mid, lost + lo, self.radius + radius + TWICE * hi.abs())
     }
 
-    /// |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
+    /// Bounds the error by |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
     #[inline]
     fn sqrt(self) -> Ball {
         let mid = self.mid.sqrt();
@@ -209,7 +211,7 @@ impl Number for Ball {
         self.mid - self.radius > other.mid + other.radius
     }
 
-    /// Around both.
+    /// Encloses both balls.
     fn either(self, other: Ball) -> Ball {
         let apart = (self.mid - other.mid).abs();
         Ball::new(
@@ -218,8 +220,8 @@ impl Number for Ball {
         )
     }
 
-    /// Each component within 0.75 ulp (0.6 was measured), exact where the other is zero, and turned by as much as the angle
-    /// can be off.
+    /// Returns each component within 0.75 ulp (0.6 was measured), exact if the other is zero. The
+    /// radius also covers the rotation by the angle's radius.
     #[inline]
     fn unit(degrees: Ball) -> Vec2<Ball> {
         let Vec2 { x, y } = angle::unit(degrees.mid);
@@ -230,8 +232,8 @@ impl Number for Ball {
         Vec2::new(ball(x, y), ball(y, x))
     }
 
-    /// Along an axis the length is the component, exactly. A vector that may be 0 is no further from another in
-    /// length than the two are apart: | |a| - |b| | <= |a - b|.
+    /// Returns the length. Along an axis, it is exactly the component. For a vector that may be 0,
+    /// the length's error is at most the vector's error: | |a| - |b| | <= |a - b|.
     #[inline]
     fn norm(vector: Vec2<Ball>) -> Ball {
         let Vec2 { x, y } = vector;
@@ -242,19 +244,19 @@ impl Number for Ball {
         } else {
             let square = vector.norm2();
             let root = square.sqrt();
-            // What a square loses that doubles hardly hold is in no radius.
+            // Radii do not cover underflow in squares, so tiny squares are not used.
             if root.radius.is_finite() && square.mid > LEAST_SQUARE {
                 return root;
             }
             let mid = x.mid.hypot(y.mid);
-            // The platform's hypot is right to an ulp.
+            // The platform's hypot is accurate to an ulp.
             let apart = x.radius.hypot(y.radius) * INFLATION;
             Ball::new(mid, apart + 4.0 * half_ulp(mid) + TINY)
         }
     }
 
-    /// A vector that can be off by r across its length n and by s along it is off by an angle of
-    /// at most r / (n - s).
+    /// Returns the direction. A vector with an error of at most r across its length n and s along
+    /// it has an angular error of at most r / (n - s).
     fn degrees(direction: Vec2<Ball>) -> Ball {
         let Vec2 { x, y } = direction;
         let length = x.mid.hypot(y.mid) * (1.0 - 4.0 * U);
@@ -265,11 +267,11 @@ impl Number for Ball {
         } else {
             f64::INFINITY
         };
-        // Along an axis there is nothing to round.
+        // Along an axis, the direction has no rounding error.
         if !(off < f64::INFINITY) || x.mid == 0.0 || y.mid == 0.0 {
             return Ball::new(angle::degrees(direction.nearest()), off);
         }
-        // The platform's atan2 is right to an ulp.
+        // The platform's atan2 is accurate to an ulp.
         let radians = y.mid.atan2(x.mid);
         let radians = Ball::new(radians, 2.0 * half_ulp(radians));
         let degrees = radians.times(Constant::DEGREES).widened(off);

@@ -1,4 +1,4 @@
-//! Constants of a mechanism, and how well they are known.
+//! Represents the constants of a mechanism with their precision.
 
 use super::U;
 use super::ball::half_ulp;
@@ -8,40 +8,40 @@ use super::number::Number;
 use super::vec2::Vec2;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// The last bits of a double: where all of them are zero, a person may have typed a number that a double
-/// holds exactly, such as 250 or 0.625. So may one in a million of those that it does not hold.
+/// Mask of a double's last bits. If all are zero, the typed number may be exactly a double, such as
+/// 250 or 0.625. One in a million of the numbers that are not doubles passes this test too.
 const LAST_BITS: u64 = (1 << 20) - 1;
-/// A rate that was given in rpm or degrees has been converted: reading, two operations and the constant
-/// pi round by less than 3.4 u in all, and u is up to two halves of an ulp.
+/// Conversion error of a rate given in rpm or degrees, in half ulps. Reading, two operations and
+/// the constant pi round by less than 3.4 u in all, and u is at most two half ulps.
 const CONVERSION: f64 = 7.0;
-/// Roundings in a coordinate that a program gives: it has been computed.
+/// Assumed rounding errors of a coordinate that a program computed.
 const ROUNDED: f64 = 8.0;
-/// What is lost in twice the precision, with room.
+/// Relative error of a double-double operation, with a margin.
 pub(crate) const TWICE: f64 = 1e-31;
-/// What an operation in twice the precision loses of its result at most (Joldes, Muller and Popescu: 3 u^2
-/// for a sum, 7 for a product, 15 for a quotient),
+/// Maximum relative error of an operation in double-double (Joldes, Muller and Popescu: 3 u^2 for a
+/// sum, 7 for a product, 15 for a quotient).
 const LOST: f64 = 16.0 * U * U;
-/// and Taylor's series of a sine or cosine.
+/// Maximum error of the Taylor series of a sine or cosine in double-double.
 const LOST_IN_UNIT: f64 = 8.0 * LOST;
 
-/// A number that a mechanism is made of: what is stored, to twice the precision, and how far what was
-/// meant can be from it.
+/// A constant of a mechanism: the stored value in double-double, and a bound on its distance from
+/// the value meant.
 ///
-/// A scene says 39.3 and the nearest double is stored, which is off by up to half an ulp. Both are
-/// within `radius` of `hi + lo`.
+/// A scene with the length 39.3 stores the nearest double, which is off by up to half an ulp. Both
+/// numbers are within `radius` of `hi + lo`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Constant {
     /// The nearest double.
     pub hi: f64,
-    /// What it leaves out of the stored value.
+    /// The remainder of the stored value beyond `hi`.
     pub lo: f64,
-    /// How far the meant value can be from the stored one.
+    /// A bound on the distance of the meant value from the stored one.
     pub radius: f64,
-    /// Its derivative by the length of the mechanism that is asked about, if one is: see [`Dual`](crate::Dual).
+    /// The derivative by the length under study, if any: see [`Dual`](crate::Dual).
     pub slope: f64,
 }
 
-/// How far what a person typed can be from the double that it was read as.
+/// Returns a bound on the distance between a typed number and the double it was read as.
 #[must_use]
 pub(crate) fn typed_radius(value: f64) -> f64 {
     if is_exact(value) {
@@ -51,18 +51,18 @@ pub(crate) fn typed_radius(value: f64) -> f64 {
     }
 }
 
-/// Whether what a person typed is the double that it was read as.
+/// Returns `true` if the typed number is exactly the double it was read as.
 fn is_exact(value: f64) -> bool {
     value.to_bits() & LAST_BITS == 0 && Decimal::of(value).is_double
 }
 
 impl Constant {
-    /// A degree in radians.
+    /// One degree in radians.
     pub(crate) const RADIAN: Constant = Constant::new(Double::RADIAN, 0.0);
-    /// A radian in degrees.
+    /// One radian in degrees.
     pub(crate) const DEGREES: Constant = Constant::new(Double::DEGREES, 0.0);
 
-    /// A number that was given, in a scene or by a program.
+    /// Creates a constant from a number given in a scene or by a program.
     #[must_use]
     pub fn given(value: f64) -> Constant {
         Constant {
@@ -73,15 +73,15 @@ impl Constant {
         }
     }
 
-    /// A number that was given, in another unit: divided by a power of two. Where its half ulp is no double,
-    /// that of the quotient is.
+    /// Creates a constant from a number given in another unit, by dividing it by a power of two. If
+    /// half its ulp underflows, the radius is half an ulp of the quotient.
     pub(crate) fn given_in(value: f64, unit: f64) -> Constant {
         let hi = value / unit;
         let radius = if is_exact(value) { 0.0 } else { half_ulp(hi) };
         Constant::new(Double::exactly(hi), radius)
     }
 
-    /// A rate that was given in another unit and converted.
+    /// Widens the radius for a rate converted from another unit.
     pub fn converted(self) -> Constant {
         let radius = CONVERSION * half_ulp(self.hi);
         Constant {
@@ -90,7 +90,7 @@ impl Constant {
         }
     }
 
-    /// The same, where what was meant can be that much farther off.
+    /// Returns the constant with its radius widened by `more`.
     #[must_use]
     pub fn widened(self, more: f64) -> Constant {
         Constant {
@@ -99,14 +99,14 @@ impl Constant {
         }
     }
 
-    /// The same with another derivative.
+    /// Returns the constant with another derivative.
     #[must_use]
     pub(crate) const fn with_slope(self, slope: f64) -> Constant {
         Constant { slope, ..self }
     }
 
-    /// A place by which lengths are compared: as the decimals that were typed, or as the doubles that they
-    /// are. `radius` is what they can have been rounded by, where one of them is a long number.
+    /// Creates a position for comparing lengths, from the typed decimals or from the stored
+    /// doubles. `radius` covers the rounding of both coordinates if one of them is a long number.
     pub(crate) fn compared(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         let read = |v: f64| {
             if is_decimal {
@@ -127,8 +127,9 @@ impl Constant {
         })
     }
 
-    /// A place as it is meant: as the decimals that were typed, or as the doubles that they are. Nothing but
-    /// twice the precision rounds it; a decimal of 15 digits or more was rounded by whoever typed it, to half an ulp.
+    /// Creates a position as meant: the typed decimals or the stored doubles. The radius covers
+    /// double-double rounding only, but a decimal of 15 digits or more counts as already rounded
+    /// when it was typed, to half an ulp.
     pub(crate) fn meant(place: Vec2, is_decimal: bool) -> Vec2<Constant> {
         place.map(|v| {
             if !is_decimal {
@@ -149,7 +150,8 @@ impl Constant {
         })
     }
 
-    /// The unit vector at an angle in degrees, as it is meant.
+    /// Returns the unit vector at an angle in degrees, with the angle as meant (see
+    /// [`Constant::meant`]).
     pub(crate) fn meant_unit(degrees: f64, is_decimal: bool) -> Vec2<Constant> {
         let Vec2 { x: angle, .. } = Constant::meant(Vec2::new(degrees, 0.0), is_decimal);
         <Double as Number>::unit(angle.value()).map(|v| {
@@ -159,7 +161,7 @@ impl Constant {
         })
     }
 
-    /// The unit vector at an angle that was given in degrees.
+    /// Returns the unit vector at an angle given in degrees.
     #[must_use]
     pub fn given_unit(degrees: f64) -> Vec2<Constant> {
         let off = typed_radius(degrees).to_radians();
@@ -169,18 +171,19 @@ impl Constant {
         Vec2::new(with(unit.x, across.y), with(unit.y, across.x))
     }
 
-    /// The way at a length and an angle in degrees that were given.
+    /// Returns the displacement for a given length and a given angle in degrees.
     pub(crate) fn given_arm(length: f64, degrees: f64) -> Vec2<Constant> {
         Constant::given_unit(degrees).map(|v| Constant::given(length) * v.lost_in_unit())
     }
 
-    /// The same as it is meant, see [`Constant::meant`].
+    /// Returns the displacement for a length and an angle in degrees, both as meant (see
+    /// [`Constant::meant`]).
     pub(crate) fn meant_arm(length: f64, degrees: f64, is_decimal: bool) -> Vec2<Constant> {
         let Vec2 { x: length, .. } = Constant::meant(Vec2::new(length, 0.0), is_decimal);
         Constant::meant_unit(degrees, is_decimal).map(|v| length * v)
     }
 
-    /// A sine or cosine with what its series loses.
+    /// Widens a sine or cosine by the error of its series.
     fn lost_in_unit(self) -> Constant {
         let is_exact = self.is_double() && (self.hi == 0.0 || self.hi.abs() == 1.0);
         let lost = if is_exact { 0.0 } else { LOST_IN_UNIT };
@@ -190,18 +193,20 @@ impl Constant {
         }
     }
 
-    /// The result of an operation that carries what its operands are off by; it rounds, unless it is exact.
+    /// Creates the result of an operation from its value and the propagated radius; adds a rounding
+    /// error unless the operation is exact.
     fn rounded(value: Double, carried: f64, is_exact: bool) -> Constant {
         let lost = if is_exact { 0.0 } else { LOST };
         Constant::new(value, carried + lost * value.hi.abs())
     }
 
-    /// Whether it is a double: sums and products of two such are exact in twice the precision.
+    /// Returns `true` if the stored value is a double. Sums and products of two such values are
+    /// exact in double-double.
     fn is_double(self) -> bool {
         self.lo == 0.0
     }
 
-    /// Stored and meant, the same whatever the lengths are.
+    /// Creates a constant whose derivative is zero.
     const fn new(value: Double, radius: f64) -> Constant {
         let Double { hi, lo } = value;
         Constant {
@@ -212,17 +217,19 @@ impl Constant {
         }
     }
 
-    /// A number that nobody gave, to twice the digits.
+    /// Creates a constant known to double-double precision, such as a mathematical one, without
+    /// typing error.
     pub(crate) fn known(value: Double) -> Constant {
         Constant::new(value, TWICE * value.hi.abs())
     }
 
-    /// A number that is known to twice the digits, but for a few roundings, and is stored as a double next to it.
+    /// Creates a constant known to double-double precision up to a few roundings, and stored as the
+    /// double `hi` near it.
     pub(crate) fn stored(hi: f64, value: Double) -> Constant {
         Constant::new(value, 4.0 * LOST * value.hi.abs()).beside(hi)
     }
 
-    /// The same number, seen from a double next to it.
+    /// Re-expresses the same value relative to a double near it.
     #[must_use]
     pub(crate) fn beside(self, hi: f64) -> Constant {
         let rest = self.value() - Double::exactly(hi);
@@ -234,7 +241,7 @@ impl Constant {
         }
     }
 
-    /// The stored value.
+    /// Returns the stored value.
     #[inline]
     #[must_use]
     pub const fn value(self) -> Double {
@@ -244,7 +251,7 @@ impl Constant {
         }
     }
 
-    /// How far the nearest double can be from what was meant.
+    /// Returns a bound on the distance of the nearest double from the value meant.
     #[inline]
     #[must_use]
     pub fn off(self) -> f64 {

@@ -1,30 +1,31 @@
-//! Decimals: what a person meant who typed a number that a double does not hold.
+//! Recovers the typed decimal from the double that it was read as.
 
 use super::double::Double;
 
-/// A double holds any decimal of so many digits so well that reading it back gives the same digits.
+/// Number of decimal digits that always survive the conversion to a double and back.
 const DIGITS: i32 = 15;
-/// Powers of ten are doubles up to this one.
+/// Powers of ten are exact doubles up to this exponent.
 const EXACT_POWERS: i32 = 22;
 
 /// A number as a decimal of up to 15 digits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Decimal {
-    /// To twice the precision.
+    /// The value in double-double.
     pub value: Double,
-    /// How many roundings in twice the precision it took.
+    /// The number of double-double roundings in `value`.
     pub(crate) roundings: i32,
     /// Half a unit of the fifteenth digit.
     pub(crate) rounding: f64,
-    /// Whether it has 15 digits or more: a number that long was rounded by whoever typed it.
+    /// Whether it has 15 digits or more: such a number was probably rounded when it was typed.
     pub is_long: bool,
-    /// Whether a double holds it, or it has more than 15 digits and is the double that it reads as.
+    /// Whether the decimal is exactly a double, or has more than 15 digits and is taken as the
+    /// double.
     pub is_double: bool,
 }
 
 impl Decimal {
-    /// The shortest decimal that is read as a double; the double itself where that has more than 15
-    /// digits.
+    /// Returns the shortest decimal that is read as `value`, or the double itself if that has more
+    /// than 15 digits.
     pub fn of(value: f64) -> Decimal {
         let exactly = Decimal {
             value: Double::exactly(value),
@@ -34,14 +35,15 @@ impl Decimal {
             is_double: value == 0.0,
         };
         let size = value.abs();
-        // Written so that NaN and infinities are themselves, and what has no 15 digits left.
+        // Negated so that NaN, infinities and numbers with fewer than 15 digits of precision are
+        // returned as they are.
         if !(1e-290..1e290).contains(&size) {
             return exactly;
         }
         let first = size.log10().floor() as i32;
         let mut unit = first + 1 - DIGITS;
         let mut digits = times_power(exactly.value, -unit).nearest_whole();
-        // The logarithm rounds.
+        // The rounded logarithm can be off by one.
         if digits.abs() >= 1e15 {
             unit += 1;
             digits = times_power(exactly.value, -unit).nearest_whole();
@@ -65,12 +67,12 @@ impl Decimal {
 impl Double {
     fn nearest_whole(self) -> f64 {
         let whole = self.hi.round();
-        // Halfway cases end on either side: no decimal of 15 digits is one.
+        // Half-way cases may round either way: no decimal of 15 digits is one.
         whole + ((self.hi - whole) + self.lo).round()
     }
 }
 
-/// Times a power of ten; exact to twice the precision.
+/// Multiplies by a power of ten, in double-double.
 fn times_power(value: Double, power: i32) -> Double {
     let mut product = value;
     let mut left = power.abs();

@@ -1,8 +1,7 @@
-//! Numbers of twice the precision: a value as the sum of two doubles.
+//! Implements double-double arithmetic: a value is the sum of two doubles.
 //!
-//! Used where a double is not enough: for what the rounding of a constant left out, for residuals,
-//! and for whole runs of the solver to hold others against. No fused operation is needed, so that
-//! the bits are the same on every machine.
+//! It is used for the rounding errors of constants, for residuals, and for whole runs of the solver
+//! as a reference. It needs no fused operation, so that the bits are the same on every machine.
 
 use crate::Vec2;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
@@ -10,7 +9,7 @@ use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 /// Veltkamp's constant 2^27 + 1, which splits a double into two halves.
 pub(super) const SPLITTER: f64 = 134_217_729.0;
 
-/// a + b as the rounded sum and what it left out (Knuth).
+/// Returns a + b as the rounded sum and its rounding error (Knuth).
 #[inline(always)]
 pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -18,7 +17,7 @@ pub(super) fn two_sum(a: f64, b: f64) -> (f64, f64) {
     (sum, (a - (sum - back)) + (b - back))
 }
 
-/// The same where |a| >= |b| (Dekker).
+/// Returns a + b as the rounded sum and its rounding error, for |a| >= |b| (Dekker).
 #[inline]
 fn quick_two_sum(a: f64, b: f64) -> (f64, f64) {
     let sum = a + b;
@@ -32,7 +31,7 @@ pub(super) fn split(a: f64) -> (f64, f64) {
     (top, a - top)
 }
 
-/// a b as the rounded product and what it left out (Dekker); exact but for underflow.
+/// Returns a b as the rounded product and its rounding error (Dekker); exact except for underflow.
 #[inline]
 pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     let product = a * b;
@@ -40,15 +39,16 @@ pub(super) fn two_product(a: f64, b: f64) -> (f64, f64) {
     (product, ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2)
 }
 
-/// A number as `hi + lo`, `hi` being the double nearest to it: 106 bits.
+/// A number as `hi + lo`, where `hi` is the nearest double: 106 bits.
 ///
-/// Sums and products are right to about 2^-104 of the larger operand (Joldes, Muller and Popescu,
-/// Tight and rigorous error bounds for basic building blocks of double-word arithmetic, 2017).
+/// Sums and products are accurate to about 2^-104 of the larger operand (Joldes, Muller and
+/// Popescu, Tight and rigorous error bounds for basic building blocks of double-word arithmetic,
+/// 2017).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Double {
     /// The nearest double.
     pub hi: f64,
-    /// What it leaves out.
+    /// The remainder beyond `hi`.
     pub lo: f64,
 }
 
@@ -68,14 +68,14 @@ impl Double {
         lo: -1.987_849_567_057_628_2e-15,
     };
 
-    /// A double, exactly.
+    /// Creates a number from a double, exactly.
     #[inline]
     #[must_use]
     pub const fn exactly(value: f64) -> Double {
         Double { hi: value, lo: 0.0 }
     }
 
-    /// a + b of two doubles, exactly.
+    /// Returns a + b of two doubles, exactly.
     #[inline]
     #[must_use]
     pub fn sum(a: f64, b: f64) -> Double {
@@ -83,7 +83,7 @@ impl Double {
         Double { hi, lo }
     }
 
-    /// Times a power of two, exactly.
+    /// Multiplies by a power of two, exactly.
     #[inline]
     #[must_use]
     pub fn scaled(self, power_of_two: f64) -> Double {
@@ -93,14 +93,14 @@ impl Double {
         }
     }
 
-    /// The square root; of nothing, nothing.
+    /// Returns the square root; zero for zero.
     #[must_use]
     pub fn sqrt(self) -> Double {
         let root = self.hi.sqrt();
         if root == 0.0 {
             return Double::ZERO;
         }
-        // Two steps of Newton: each doubles the digits.
+        // Two Newton steps: each doubles the digits.
         let step = |x: Double| {
             let rest = self - x * x;
             x + Double::exactly(rest.hi / (2.0 * root))
@@ -108,18 +108,19 @@ impl Double {
         step(step(Double::exactly(root)))
     }
 
-    /// The size.
+    /// Returns the absolute value.
     #[must_use]
     pub fn abs(self) -> Double {
         if self.hi < 0.0 { -self } else { self }
     }
 
-    /// The unit vector at `degrees` from +x, counter-clockwise; exact at multiples of 90 degrees.
+    /// Returns the unit vector at `degrees` from +x, counter-clockwise; exact at multiples of 90
+    /// degrees.
     #[must_use]
     pub fn unit(degrees: f64) -> Vec2<Double> {
         let turn = degrees % 360.0;
         let quadrant = (turn / 90.0).round();
-        // Exact by Sterbenz: 90 q is within 45 of the angle.
+        // Exact by Sterbenz's lemma: 90 q is within 45 of the angle.
         let (sin, cos) = Double::exactly(turn - 90.0 * quadrant).sin_cos();
         let (x, y) = match quadrant.rem_euclid(4.0) as u8 {
             0 => (cos, sin),
@@ -130,7 +131,8 @@ impl Double {
         Vec2::new(x, y)
     }
 
-    /// Taylor's series, for at most about 45 degrees: 28 terms fall below 2^-110.
+    /// Returns the sine and cosine of at most about 45 degrees by Taylor series: after 28 terms,
+    /// they are below 2^-110.
     fn sin_cos(self) -> (Double, Double) {
         let x = self * Double::RADIAN;
         let (mut sin, mut cos) = (Double::ZERO, Double::ZERO);
@@ -147,11 +149,12 @@ impl Double {
         (sin, cos)
     }
 
-    /// The direction of a vector in degrees, from -180 to 180.
+    /// Returns the direction of a vector in degrees, from -180 to 180.
     #[must_use]
     pub fn degrees(direction: Vec2<Double>) -> Double {
         let near = direction.y.hi.atan2(direction.x.hi).to_degrees();
-        // The rest is the small angle from the near direction to the true one: its sine will do.
+        // The remainder is the small angle from the approximate direction to the true one,
+        // approximated by its sine.
         let unit = Double::unit(near);
         let length = direction.norm2().sqrt();
         let rest = unit.cross(direction) / length;

@@ -1,22 +1,22 @@
-//! Numbers with their derivative by one given length.
+//! Implements forward differentiation by one given length.
 
 use crate::{Constant, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// A number, and its derivative by the length that is asked about: forward differentiation.
+/// A number with its derivative by the length under study.
 ///
-/// Every operation hands on both by the rules of calculus, so that the derivative of a formula is as
-/// exact as the formula itself; no step is chosen, and nothing is cut off.
+/// Every operation propagates both by the rules of calculus. The derivative of a formula is
+/// therefore as accurate as the formula itself, without a step size or truncation error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Dual {
-    /// The number.
+    /// The value.
     pub value: f64,
     /// Its derivative.
     pub slope: f64,
 }
 
 impl Dual {
-    /// A number with its derivative.
+    /// Creates a number with its derivative.
     #[inline]
     #[must_use]
     pub const fn new(value: f64, slope: f64) -> Dual {
@@ -24,7 +24,7 @@ impl Dual {
     }
 }
 
-/// By what part of them two slopes may differ that were found in different ways.
+/// Relative tolerance for two derivatives computed in different ways.
 const SAME: f64 = 1e-12;
 
 impl Add for Dual {
@@ -123,7 +123,7 @@ impl Number for Dual {
         self.value > o.value
     }
 
-    /// Slopes that differ by rounding alone are one.
+    /// Treats slopes that differ only by rounding errors as equal.
     fn at_kink(self, other: Dual) -> Dual {
         let apart = (self.slope - other.slope).abs();
         let most = self.slope.abs().max(other.slope.abs());
@@ -140,7 +140,7 @@ impl Number for Dual {
         Vec2::new(Dual::new(x, -y * turning), Dual::new(y, x * turning))
     }
 
-    /// Without overflow.
+    /// Avoids overflow.
     #[inline]
     fn norm(vector: Vec2<Dual>) -> Dual {
         let value = vector.x.value.hypot(vector.y.value);

@@ -1,11 +1,11 @@
-//! Exact products of numbers that take part in several of them.
+//! Computes exact products of numbers that occur in several products.
 
 use super::double::split;
 
-/// A number and its two halves, split once: products of such are exact at half the price.
+/// A number with its two halves, split once, so that exact products cost half as much.
 ///
-/// `FUSED` they are exact by fused multiplication and addition, to the same bits, and nothing is split. That is
-/// for code that is compiled for it: see [`fused`](super::fused).
+/// With `FUSED`, products are exact by fused multiply-add, with the same bits, and nothing is
+/// split. Use this only in code compiled for that instruction: see [`fused`](super::fused).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Halves<const FUSED: bool> {
     whole: f64,
@@ -13,7 +13,7 @@ pub(crate) struct Halves<const FUSED: bool> {
     tail: f64,
 }
 
-/// A product as its rounded value and what that leaves out.
+/// A product as its rounded value `hi` and rounding error `lo`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Product {
     pub(crate) hi: f64,
@@ -28,7 +28,7 @@ impl<const FUSED: bool> Halves<FUSED> {
         Halves { whole, top, tail }
     }
 
-    /// The product, exactly but for underflow (Dekker).
+    /// Returns the product; exact except for underflow (Dekker).
     #[inline(always)]
     pub(crate) fn times(self, o: Self) -> Product {
         let hi = self.whole * o.whole;
@@ -41,7 +41,7 @@ impl<const FUSED: bool> Halves<FUSED> {
         Product { hi, lo }
     }
 
-    /// The square.
+    /// Returns the square; exact except for underflow.
     #[inline(always)]
     pub(crate) fn square(self) -> Product {
         if FUSED {

@@ -1,20 +1,22 @@
-//! Several doubles side by side, one for each of several states that are solved at once.
+//! Implements arithmetic on several doubles at once, one for each of several states solved
+//! together.
 //!
-//! There are no vector types and no instructions named here: compilers make vector instructions of
-//! plain arrays, for whatever machine the code around is compiled. Everything is inlined for that
-//! reason, also where a call would do. The operations on lanes are written without loops: unrolling thousands
-//! of loops in one function took the compiler as long as the rest of this crate.
+//! It uses no vector types or intrinsics: compilers turn plain arrays into the vector instructions
+//! of the target. For that reason everything is inlined, even where a call would do. The operations
+//! are written without loops, because unrolling thousands of loops in one function took the
+//! compiler as long as the rest of this crate.
 
 use super::angle;
 use crate::{Constant, Number, Vec2};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// So many states are solved at once: two registers of AVX2, so that one computes while the other
-/// waits, or four of SSE2 and Neon.
+/// Number of states solved at once: two AVX2 registers, so that one computes while the other waits,
+/// or four of SSE2 or Neon.
 pub const LANES: usize = 8;
 
-/// A double in each lane. Every operation is done in each lane by itself and nothing is fused, so that
-/// each state has the bits that it has alone. What asks about all lanes says so.
+/// A double in each lane. Every operation acts on each lane separately and nothing is fused, so
+/// that each state has the same bits as when solved alone. Operations that combine all lanes say
+/// so.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(align(64))]
 pub struct Lanes(pub [f64; LANES]);
@@ -41,7 +43,7 @@ impl Lanes {
         ])
     }
 
-    /// Whether something holds in every lane.
+    /// Returns `true` if a condition holds in every lane.
     #[inline(always)]
     fn all(self, holds: impl Fn(f64) -> bool) -> bool {
         let [a, b, c, d, e, g, h, i] = self.0;
@@ -107,13 +109,13 @@ impl Number for Lanes {
         Lanes([value; LANES])
     }
 
-    /// That of the first lane.
+    /// Returns the value of the first lane.
     #[inline(always)]
     fn nearest(self) -> f64 {
         self.0[0]
     }
 
-    /// In every lane.
+    /// Returns `true` if every lane is finite.
     #[inline(always)]
     fn is_finite(self) -> bool {
         self.all(f64::is_finite)
@@ -139,7 +141,7 @@ impl Number for Lanes {
         self.with(other, f64::min)
     }
 
-    /// In every lane.
+    /// Returns `true` if it holds in every lane.
     #[inline(always)]
     fn exceeds(self, other: Lanes) -> bool {
         let (a, b) = (self.0, other.0);
@@ -175,7 +177,7 @@ impl Number for Lanes {
     }
 }
 
-/// Lane by lane, where the number of turns is beyond all use.
+/// Computes the unit vector lane by lane, for angles too large for the vectorized reduction.
 #[cold]
 fn far_unit(degrees: Lanes) -> Vec2<Lanes> {
     let units = degrees.0.map(angle::unit);

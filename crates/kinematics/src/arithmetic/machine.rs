@@ -1,4 +1,4 @@
-//! Which of the machine's instructions code is compiled for, chosen when it runs.
+//! Selects at run time the machine instructions that code runs with.
 
 #[cfg(not(target_arch = "x86_64"))]
 use fearless_simd::Fallback;
@@ -8,11 +8,11 @@ use fearless_simd::Simd;
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 use std::hint::black_box;
 
-/// Runs `f` with the machine's vector instructions, as far as what it calls is inlined into it.
+/// Runs `f` with the machine's vector instructions, for everything inlined into it.
 ///
-/// The same code is compiled twice, for the instructions that every machine has and for AVX2, which is
-/// looked for at run time. Neither fuses a multiplication with an addition, so that both give the same
-/// bits. AVX-512 is left alone: steps in lanes took longer with it.
+/// The code is compiled twice: for the baseline instructions and for AVX2, which is detected at run
+/// time. Neither version fuses a multiplication with an addition, so that both give the same bits.
+/// AVX-512 is not used: steps in lanes took longer with it.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
@@ -22,37 +22,37 @@ pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     }
 }
 
-/// Keeps what most machines never run out of the way of what they do.
+/// Keeps the rarely used version out of line.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(never)]
 fn outlined<R>(f: impl FnOnce() -> R) -> R {
     f()
 }
 
-/// Runs `f`: this machine's vector instructions are those that everything is compiled for.
+/// Runs `f` directly: on this target, all code is compiled for the vector instructions.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64")))]
 #[inline(always)]
 pub fn vectorized<R>(f: impl FnOnce() -> R) -> R {
     f()
 }
 
-/// What runs with the machine's vectors, and is compiled for its fused multiplication and addition or without.
+/// Code that runs with the machine's vectors, compiled with or without fused multiply-add.
 pub(crate) trait Fusing {
-    /// What comes out.
+    /// The result type.
     type Output;
 
-    /// Runs it; inlined, as far as what it calls is.
+    /// Runs the code, inlined together with the functions that it calls.
     fn run<S: Simd, const FUSED: bool>(self, simd: S) -> Self::Output;
 }
 
-/// What lies in a frame so makes the whole of it begin there, with all that is put by in it: a vector across the end of a
-/// page of memory takes some processors as long as hundreds of others, and which ones lie so depends on where the
-/// stack happens to begin.
+/// Aligns the stack frame that contains it, including its spilled vectors. A vector that crosses
+/// the end of a memory page costs some processors as much time as hundreds of others, and where the
+/// stack begins is a matter of chance.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[repr(align(64))]
 struct Aligned(#[expect(dead_code, reason = "its place is what counts")] u8);
 
-/// Runs it with fused multiplication and addition where the machine has that.
+/// Runs `f` with fused multiply-add if the machine has it.
 #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]
 #[inline(always)]
 pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
@@ -68,7 +68,7 @@ pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
     }
 }
 
-/// The same where every machine of the kind has it.
+/// Runs `f` with fused multiply-add: every machine of this kind has it.
 #[cfg(target_arch = "aarch64")]
 #[inline(always)]
 pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
@@ -78,16 +78,17 @@ pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
     }
 }
 
-/// Runs it: nothing is known of the machine.
+/// Runs `f` without vector extensions, as nothing is known about the machine.
 #[cfg(not(any(target_arch = "x86", target_arch = "x86_64", target_arch = "aarch64")))]
 #[inline(always)]
 pub(crate) fn fused<F: Fusing>(f: F) -> F::Output {
     plainly(f)
 }
 
-/// Runs it with the instructions that every machine of the kind has, without fused multiplication and addition.
+/// Runs `f` with the baseline instructions, without fused multiply-add.
 ///
-/// The vector library's fallback reorders elements in loops. Compiling them took 250 s of this crate's 560 s.
+/// The vector library's fallback reorders elements in loops. Compiling them took 250 s of this
+/// crate's 560 s.
 #[cfg(target_arch = "x86_64")]
 #[inline(never)]
 pub(crate) fn plainly<F: Fusing>(f: F) -> F::Output {
@@ -97,7 +98,7 @@ pub(crate) fn plainly<F: Fusing>(f: F) -> F::Output {
     f.run::<_, false>(sse2)
 }
 
-/// Runs it as it runs on any machine.
+/// Runs `f` with the portable fallback, without fused multiply-add.
 #[cfg(not(target_arch = "x86_64"))]
 #[inline(never)]
 pub(crate) fn plainly<F: Fusing>(f: F) -> F::Output {

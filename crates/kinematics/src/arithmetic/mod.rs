@@ -1,9 +1,15 @@
-//! The numbers that everything is computed in: plane vectors, angles, and the arithmetics that the
-//! solver's formulas are written over.
+//! Provides plane vectors, angles and the arithmetics over which the solver's formulas are written.
 //!
-//! A formula over [`Number`] gives with doubles the figures; with [`Lanes`] several at once, to the same
-//! bits; with [`Ball`]s what they enclose; with [`Double`]s twice the digits; with [`Dual`]s their
-//! derivatives by a length; with series their way through a change point. A [`Constant`] is a given number with what its rounding has cost.
+//! A formula over [`Number`] can be evaluated in several arithmetics:
+//!
+//! - doubles give values;
+//! - [`Lanes`] give several values at once, with the same bits;
+//! - [`Ball`]s give enclosures;
+//! - [`Double`]s give double-double precision;
+//! - [`Dual`]s give derivatives by a length;
+//! - series give the path through a change point.
+//!
+//! A [`Constant`] is a given number with a bound on its rounding error.
 
 pub mod angle;
 mod ball;

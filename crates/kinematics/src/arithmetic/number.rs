@@ -1,14 +1,14 @@
-//! What the solver's formulas are written in: doubles, and whatever else can stand in for them.
+//! Defines the arithmetic of the solver's formulas: a trait for doubles and their substitutes.
 //!
-//! Every formula of a step is written once, over [`Number`]. In doubles it gives figures, in
-//! [`Double`] figures of twice the precision, in [`Ball`](crate::Ball) figures with a bound, in
-//! [`Lanes`](crate::Lanes) the figures of several states at once.
+//! Every formula of a step is written once, over [`Number`]. Doubles give values, [`Double`] gives
+//! double-double precision, [`Ball`](crate::Ball) gives bounds, [`Lanes`](crate::Lanes) give
+//! several states at once.
 
 use crate::{Constant, Double, Vec2, angle};
 use std::fmt::Debug;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// An arithmetic: its four operations, roots, and how constants come into it.
+/// An arithmetic: the four operations, roots, and the conversion of constants.
 pub trait Number:
     Copy
     + Debug
@@ -20,86 +20,88 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// Whether an operation takes no longer than to ask if it is needed.
+    /// Whether an operation costs no more than a test whether it is needed.
     const IS_CHEAP: bool = true;
-    /// What it rounds by, as a part of what doubles round by: 0 where it says of itself what it is off by.
+    /// The rounding error relative to that of doubles; 0 if the type bounds its own error.
     const GRAIN: f64 = 1.0;
 
-    /// A constant of the mechanism: each arithmetic takes what it can hold.
+    /// Converts a constant of the mechanism, keeping as much as the type can hold.
     fn of(constant: Constant) -> Self;
 
-    /// A double, exactly.
+    /// Converts a double, exactly.
     #[must_use]
     fn exactly(value: f64) -> Self;
 
-    /// The nearest double.
+    /// Returns the nearest double.
     fn nearest(self) -> f64;
 
-    /// Whether it is a number at all, and not infinite.
+    /// Returns `true` if the number is neither infinite nor NaN.
     #[inline]
     #[must_use]
     fn is_finite(self) -> bool {
         self.nearest().is_finite()
     }
 
-    /// Times a power of two, exactly.
+    /// Multiplies by a power of two, exactly.
     #[must_use]
     fn scaled(self, power_of_two: f64) -> Self;
 
-    /// Times a constant.
+    /// Multiplies by a constant.
     #[inline(always)]
     #[must_use]
     fn times(self, constant: Constant) -> Self {
         self * Self::of(constant)
     }
 
-    /// Plus a constant.
+    /// Adds a constant.
     #[inline(always)]
     #[must_use]
     fn plus(self, constant: Constant) -> Self {
         self + Self::of(constant)
     }
 
-    /// The square root.
+    /// Returns the square root.
     #[must_use]
     fn sqrt(self) -> Self;
 
-    /// The size.
+    /// Returns the absolute value.
     #[must_use]
     fn abs(self) -> Self;
 
-    /// The smaller of two.
+    /// Returns the smaller of two numbers.
     #[must_use]
     fn min(self, other: Self) -> Self;
 
-    /// Whether it is certainly above another; not where one is no number.
+    /// Returns `true` if it is certainly greater than `other`; `false` if one is NaN.
     fn exceeds(self, other: Self) -> bool;
 
-    /// This one, where rounding leaves open whether it or the other one holds: with a bound, both.
+    /// Returns this number if rounding leaves open which of the two holds. Types with a bound
+    /// enclose both.
     #[must_use]
     fn either(self, _other: Self) -> Self {
         self
     }
 
-    /// This one, where two ways to come to the same figure meet: no derivative where theirs differ.
+    /// Returns this number where two branches of a function meet. A type with a derivative loses it
+    /// if the branches' derivatives differ.
     #[must_use]
     fn at_kink(self, _other: Self) -> Self {
         self
     }
 
-    /// The unit vector at an angle in degrees, exactly reduced.
+    /// Returns the unit vector at an angle in degrees, exactly reduced.
     fn unit(degrees: Self) -> Vec2<Self>;
 
-    /// The length of a vector.
+    /// Returns the length of a vector.
     #[must_use]
     fn norm(vector: Vec2<Self>) -> Self {
         vector.norm2().sqrt()
     }
 
-    /// The direction of a vector in degrees, from 0 to below 360.
+    /// Returns the direction of a vector in degrees, in [0, 360).
     fn degrees(direction: Vec2<Self>) -> Self;
 
-    /// The same angle from 0 to below 360 degrees; adding a turn rounds.
+    /// Returns the equivalent angle in [0, 360) degrees; adding a turn rounds.
     #[must_use]
     fn wrapped(degrees: Self) -> Self {
         let near = degrees.nearest();
@@ -161,7 +163,7 @@ impl Number for f64 {
         angle::unit(degrees)
     }
 
-    /// Without overflow.
+    /// Avoids overflow.
     #[inline]
     fn norm(vector: Vec2) -> f64 {
         vector.x.hypot(vector.y)
@@ -180,7 +182,7 @@ impl Number for f64 {
 
 impl Number for Double {
     const IS_CHEAP: bool = false;
-    // With room for chains: 2^-49.
+    // 2^-49, with a margin for chains of operations.
     const GRAIN: f64 = 8.0 * f64::EPSILON;
 
     #[inline]
@@ -223,7 +225,8 @@ impl Number for Double {
         (self - other).hi > 0.0
     }
 
-    /// What the nearest double leaves out turns by less than a rounding: its square counts for nothing.
+    /// Rotates by `degrees.lo`, which is less than a rounding error of a double, so that its square
+    /// is negligible.
     fn unit(degrees: Double) -> Vec2<Double> {
         let near = Double::unit(degrees.hi);
         if degrees.lo == 0.0 {
@@ -285,7 +288,7 @@ impl Number for f32 {
         self > other
     }
 
-    /// Of a finite angle; a remainder is exact.
+    /// Requires a finite angle; the remainder is exact.
     #[inline]
     fn unit(degrees: f32) -> Vec2<f32> {
         let (sin, cos) = (degrees % 360.0).to_radians().sin_cos();

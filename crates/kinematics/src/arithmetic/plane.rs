@@ -1,8 +1,9 @@
-//! Vectors of the plane as the machine's vectors: one, (x, y), or two side by side, (x1, y1, x2, y2).
+//! Implements plane vectors on the machine's vector registers: one, (x, y), or two, (x1, y1, x2,
+//! y2).
 //!
-//! A number that belongs to a vector stands in both of its places, and one that belongs to both vectors in all
-//! four. So everything that is said of a way is written once, for one arm and for two at once, and nothing has to
-//! change its place but where components meet.
+//! A scalar that belongs to a vector fills both of its lanes; one that belongs to both vectors
+//! fills all four. A formula is therefore written once, for one vector or for two at once, and
+//! lanes are exchanged only where components are combined.
 
 use super::double::SPLITTER;
 use crate::Vec2;
@@ -11,10 +12,10 @@ pub(crate) use fearless_simd::{Fallback, Simd, f64x2, f64x4};
 use fearless_simd::{mask64x2, mask64x4, u64x2, u64x4};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The bit of a double that is its sign.
+/// The sign bit of a double.
 const SIGN: u64 = 1 << 63;
 
-/// One vector or two.
+/// One plane vector, or two in one register.
 pub(crate) trait Plane:
     Copy
     + Add<Output = Self>
@@ -25,89 +26,90 @@ pub(crate) trait Plane:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
-    /// One vector.
+    /// The type of a single vector.
     type One: Plane;
 
-    /// A number in all places.
+    /// Returns a vector with `value` in all lanes.
     #[must_use]
     fn all(self, value: f64) -> Self;
 
-    /// The size, by place.
+    /// Returns the absolute value of each lane.
     #[must_use]
     fn abs(self) -> Self;
 
-    /// The components of each vector in the other's place.
+    /// Swaps the components of each vector.
     #[must_use]
     fn crossed(self) -> Self;
 
-    /// k x each vector.
+    /// Returns k x v for each vector v.
     #[must_use]
     fn perp(self) -> Self;
 
-    /// x * y - z, rounded once.
+    /// Returns x * y - z, rounded once.
     #[must_use]
     fn times_less(self, y: Self, z: Self) -> Self;
 
-    /// The sum of both vectors, for each; of one alone, this one.
+    /// Returns the sum of both vectors in each place; a single vector is returned unchanged.
     #[must_use]
     fn total(self) -> Self;
 
-    /// Its x beside the other one's y.
+    /// Returns the x components of `self` with the y components of `other`.
     #[must_use]
     fn beside(self, other: Self) -> Self;
 
-    /// Whether it is above another one in all places; not where one is no number.
+    /// Returns `true` if every lane is greater than `other`'s; `false` if one is NaN.
     fn exceeds(self, other: Self) -> bool;
 
-    /// The first vector.
+    /// Returns the first vector.
     fn first(self) -> Self::One;
 
-    /// One of the vectors.
+    /// Returns one of the vectors.
     fn vector(self, which: usize) -> Vec2;
 
-    /// The number that belongs to one of the vectors.
+    /// Returns the scalar that belongs to one of the vectors.
     #[inline(always)]
     fn number(self, which: usize) -> f64 {
         self.vector(which).x
     }
 
-    /// The x of each vector in both places,
+    /// Returns the x component of each vector in both of its lanes.
     #[inline(always)]
     #[must_use]
     fn x(self) -> Self {
         self.beside(self.crossed())
     }
 
-    /// and the y.
+    /// Returns the y component of each vector in both of its lanes.
     #[inline(always)]
     #[must_use]
     fn y(self) -> Self {
         self.crossed().beside(self)
     }
 
-    /// The sum of the components' sizes.
+    /// Returns the sum of the components' absolute values.
     #[inline(always)]
     #[must_use]
     fn size(self) -> Self {
         self.abs().joined()
     }
 
-    /// The sum of the components.
+    /// Returns the sum of the components.
     #[inline(always)]
     #[must_use]
     fn joined(self) -> Self {
         self + self.crossed()
     }
 
-    /// The scalar product.
+    /// Returns the scalar product.
     #[inline(always)]
     #[must_use]
     fn dot(self, other: Self) -> Self {
         (self * other).joined()
     }
 
-    /// The product by place, as its rounded value and what that leaves out, exactly but for underflow (Dekker);
-    /// `FUSED` to the same bits by fused multiplication and subtraction, in code that is compiled for it.
+    /// Returns the lane-wise product as its rounded value and rounding error; exact except for
+    /// underflow (Dekker). With `FUSED`, it uses fused multiply-subtract with the same bits, in
+    /// code compiled for that.
     #[inline(always)]
     #[must_use]
     fn times<const FUSED: bool>(self, other: Self) -> [Self; 2] {
@@ -120,7 +122,7 @@ pub(crate) trait Plane:
         [product, rest + tail * its_tail]
     }
 
-    /// The rounded sum, and what that leaves out (Knuth).
+    /// Returns the rounded sum and its rounding error (Knuth).
     #[inline(always)]
     #[must_use]
     fn plus(self, other: Self) -> [Self; 2] {
@@ -137,7 +139,8 @@ fn split<V: Plane>(value: V) -> (V, V) {
     (top, value - top)
 }
 
-/// What vectors of any width do by place: one list, since no trait of the machine's vectors has all of it.
+/// Lane-wise methods for vectors of any width, in one macro because no trait of the vector library
+/// has all of them.
 macro_rules! place_by_place {
     () => {
         #[inline(always)]
@@ -231,38 +234,38 @@ impl<S: Simd> Plane for f64x4<S> {
     }
 }
 
-/// Each vector in the place of the other one.
+/// Exchanges the two vectors.
 #[inline(always)]
 pub(crate) fn others<S: Simd>(of: f64x4<S>) -> f64x4<S> {
     of.slide::<2>(of)
 }
 
-/// Each vector alone.
+/// Splits the two vectors.
 #[inline(always)]
 pub(crate) fn halves<S: Simd>(of: f64x4<S>) -> [f64x2<S>; 2] {
     let (one, two) = of.split();
     [one, two]
 }
 
-/// Two vectors, side by side.
+/// Combines two vectors in one register.
 #[inline(always)]
 pub(crate) fn both<S: Simd>(one: f64x2<S>, two: f64x2<S>) -> f64x4<S> {
     one.combine(two)
 }
 
-/// A vector in a register.
+/// Loads a vector into a register.
 #[inline(always)]
 pub(crate) fn vector<S: Simd>(simd: S, v: Vec2) -> f64x2<S> {
     f64x2::simd_from(simd, [v.x, v.y])
 }
 
-/// A number that belongs to a vector.
+/// Fills both lanes with a scalar.
 #[inline(always)]
 pub(crate) fn number<S: Simd>(simd: S, value: f64) -> f64x2<S> {
     f64x2::splat(simd, value)
 }
 
-/// The components of two vectors in pairs: both x, both y.
+/// Regroups the components of two vectors: both x, both y.
 #[inline(always)]
 pub(crate) fn paired<S: Simd>(one: f64x2<S>, two: f64x2<S>) -> [f64x2<S>; 2] {
     [one.zip_low(two), one.zip_high(two)]

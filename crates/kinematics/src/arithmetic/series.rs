@@ -1,21 +1,22 @@
-//! Power series: a function of t by its first Taylor coefficients.
+//! Implements power series: functions of t by their first Taylor coefficients.
 //!
-//! Run in series, the solver's formulas give every derivative of a motion at once. At a change point,
-//! where the equations of the derivatives are singular, the motion itself is still a series: roots and
-//! quotients of series that begin with a power of t are series, too.
+//! In series arithmetic, the solver's formulas give every derivative of a motion at once. At a
+//! change point, the equations of the derivatives are singular, but the motion itself is still a
+//! series. Roots and quotients of series that begin with a power of t are series, too.
 
 use crate::{Constant, Double, Number, Vec2, angle};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// How many coefficients are carried at the most: groups in a row that are singular at one place lose one
-/// or two each.
+/// Maximum number of coefficients. Consecutive groups that are singular at one position lose one or
+/// two each.
 pub(crate) const TERMS: usize = 48;
 
-/// c[0] + c[1] t + c[2] t^2 and so on, of which the first `known` are right; the others are zeros.
+/// A series c[0] + c[1] t + c[2] t^2 and so on. The first `known` coefficients are correct; the
+/// others are zero.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Series {
     pub(crate) c: [Double; TERMS],
-    /// What is divided by t loses its last coefficient.
+    /// The number of correct coefficients; a division by t loses the last one.
     pub(crate) known: usize,
 }
 
@@ -29,41 +30,43 @@ impl Default for Series {
 }
 
 impl Series {
-    /// A value that stays.
+    /// Creates a constant.
     pub(crate) fn constant(value: Double) -> Series {
         let mut series = Series::default();
         series.c[0] = value;
         series
     }
 
-    /// value + slope t.
+    /// Creates value + slope t.
     pub(crate) fn line(value: Double, slope: Double) -> Series {
         let mut line = Series::constant(value);
         line.c[1] = slope;
         line
     }
 
-    /// An angle in degrees that grows by a radian with t.
+    /// Creates an angle in degrees that grows by one radian per unit of t.
     pub(crate) fn angle(degrees: Double) -> Series {
         Series::line(degrees, Double::DEGREES)
     }
 
-    /// The first few coefficients alone.
+    /// Returns the series truncated to at most `known` coefficients.
     pub(crate) fn cut(self, known: usize) -> Series {
         Series::by(known.min(self.known), |n, _| self.c[n])
     }
 
-    /// With the sizes of the coefficients: sums and products of these bound those of the series.
+    /// Returns the series of the coefficients' absolute values. Its sums and products bound those
+    /// of the series.
     pub(crate) fn majorant(self) -> Series {
         Series::by(self.known, |n, _| self.c[n].abs())
     }
 
-    /// The place of the first coefficient that is more than a part of its size.
+    /// Returns the index of the first coefficient whose magnitude exceeds `part` times its entry in
+    /// `sizes`.
     pub(crate) fn valuation(&self, sizes: &Series, part: f64) -> Option<usize> {
         (0..self.known.min(sizes.known)).find(|&n| self.c[n].hi.abs() > part * sizes.c[n].hi)
     }
 
-    /// Divided by t^n; the first n coefficients are taken for zeros.
+    /// Divides by t^n, assuming that the first n coefficients are zero.
     pub(crate) fn lowered(self, n: usize) -> Series {
         let mut c = [Double::ZERO; TERMS];
         c[..TERMS - n].copy_from_slice(&self.c[n..]);
@@ -71,7 +74,7 @@ impl Series {
         Series { c, known }
     }
 
-    /// Times t^n.
+    /// Multiplies by t^n.
     pub(crate) fn raised(self, n: usize) -> Series {
         let mut c = [Double::ZERO; TERMS];
         c[n..].copy_from_slice(&self.c[..TERMS - n]);
@@ -79,7 +82,7 @@ impl Series {
         Series { c, known }
     }
 
-    /// The series whose n-th coefficient is `next(n, those before)`.
+    /// Creates the series whose n-th coefficient is `next(n, previous)`.
     fn by(known: usize, mut next: impl FnMut(usize, &[Double]) -> Double) -> Series {
         let mut c = [Double::ZERO; TERMS];
         for n in 0..known {
@@ -88,8 +91,8 @@ impl Series {
         Series { c, known }
     }
 
-    /// The unit vector that turns with the angle of this series, in radians, from +x; its first
-    /// coefficient counts as 0. e' = i a' e.
+    /// Returns the unit vector e at the angle a of this series, in radians, from +x. The constant
+    /// coefficient counts as 0. Uses e' = i a' e.
     pub(crate) fn turning(self) -> Vec2<Series> {
         let mut e = Vec2::new(Series::exactly(1.0), Series::default());
         (e.x.known, e.y.known) = (self.known, self.known);
@@ -107,7 +110,7 @@ impl Series {
     }
 }
 
-/// sum of a[i] b[n - i] for i in `range`.
+/// Returns the sum of a[i] b[n - i] for i in `range`.
 fn convolved(a: &[Double], b: &[Double], n: usize, range: std::ops::Range<usize>) -> Double {
     range.fold(Double::ZERO, |sum, i| sum + a[i] * b[n - i])
 }
@@ -150,7 +153,7 @@ impl Mul for Series {
 
 impl Div for Series {
     type Output = Series;
-    /// q o = self: q[n] = (self[n] - sum of q[i] o[n - i]) / o[0].
+    /// Solves q o = self: q[n] = (self[n] - sum of q[i] o[n - i]) / o[0].
     fn div(self, o: Series) -> Series {
         let known = self.known.min(o.known);
         Series::by(known, |n, q| {
@@ -176,7 +179,7 @@ impl Number for Series {
         Series::by(self.known, |n, _| self.c[n].scaled(power_of_two))
     }
 
-    /// s s = self: s[n] = (self[n] - sum of s[i] s[n - i]) / 2 s[0].
+    /// Solves s s = self: s[n] = (self[n] - sum of s[i] s[n - i]) / 2 s[0].
     fn sqrt(self) -> Series {
         Series::by(self.known, |n, s| match s.first() {
             None => self.c[0].sqrt(),
@@ -205,7 +208,7 @@ impl Number for Series {
         start.turned((degrees * Series::constant(Double::RADIAN)).turning())
     }
 
-    /// The angle's rate is (x y' - y x') / (x^2 + y^2).
+    /// Integrates the angle's rate, (x y' - y x') / (x^2 + y^2).
     fn degrees(direction: Vec2<Series>) -> Series {
         let Vec2 { x, y } = direction;
         let rate = |s: Series| {

@@ -1,17 +1,17 @@
-//! Numbers of twice the digits with a bound on their error.
+//! Implements ball arithmetic with a midpoint in double-double.
 
 use super::{INFLATION, U};
 use crate::{Ball, Constant, Double, Number, Vec2};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// What an operation in twice the precision rounds, in parts of its result (Joldes, Muller and Popescu:
-/// below 10 u^2, with room for the quotient and the root).
+/// Relative rounding error of an operation in double-double (Joldes, Muller and Popescu: below 10
+/// u^2), with a margin for the quotient and the root.
 const ROUNDING: f64 = 64.0 * U * U;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
-/// All numbers within `radius` of `mid`, as [`Ball`](crate::Ball), but with a middle of twice the digits:
-/// rounding hardly widens it.
+/// All numbers within `radius` of `mid`, like [`Ball`](crate::Ball), but with a double-double
+/// midpoint, so that rounding hardly widens it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Sharp {
     pub(crate) mid: Double,
@@ -19,19 +19,20 @@ pub struct Sharp {
 }
 
 impl Sharp {
-    /// A number, and how far the truth can be from it.
+    /// Creates a number from a midpoint and a bound on its error.
     #[inline]
     pub(crate) const fn new(mid: Double, radius: f64) -> Sharp {
         Sharp { mid, radius }
     }
 
-    /// The result of an operation that carries so much of what its operands are off by.
+    /// Creates the result of an operation from its value and the propagated radius; adds the
+    /// rounding error.
     #[inline]
     fn rounded(mid: Double, carried: f64) -> Sharp {
         Sharp::new(mid, carried + ROUNDING * mid.hi.abs())
     }
 
-    /// From a double to the middle.
+    /// Returns the midpoint minus `value`.
     #[inline]
     pub fn way_from(self, value: f64) -> f64 {
         (self.mid.hi - value) + self.mid.lo
@@ -133,7 +134,7 @@ impl Number for Sharp {
         )
     }
 
-    /// |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
+    /// Bounds the error by |sqrt(v + d) - sqrt(v)| = |d| / (sqrt(v) + sqrt(v + d)).
     #[inline]
     fn sqrt(self) -> Sharp {
         let mid = self.mid.sqrt();
@@ -159,7 +160,7 @@ impl Number for Sharp {
         (self.mid - o.mid).hi > self.radius + o.radius
     }
 
-    /// Around both.
+    /// Encloses both.
     fn either(self, o: Sharp) -> Sharp {
         let apart = (self.mid - o.mid).hi.abs();
         Sharp::new(self.mid, self.radius.max((apart + o.radius) * INFLATION))

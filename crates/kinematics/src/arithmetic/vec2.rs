@@ -1,29 +1,29 @@
-//! Plane vectors, and the few products that planar kinematics is written in.
+//! Implements plane vectors with the products used in planar kinematics.
 
 use crate::{Constant, Number};
 use nalgebra::{Point2, Vector2};
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-/// A vector of the plane: a position, a displacement, a direction or a rate of one of these.
+/// A plane vector: a position, a displacement, a direction or a rate of one of these.
 ///
-/// Read as the complex number `x + i y` it also stands for a rotation: see [`Vec2::turned`].
+/// As the complex number `x + i y`, a unit vector also represents a rotation: see [`Vec2::turned`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2<T = f64> {
-    /// Component along the frame's x axis.
+    /// The component along the frame's x axis.
     pub x: T,
-    /// Component along the frame's y axis.
+    /// The component along the frame's y axis.
     pub y: T,
 }
 
 impl<T> Vec2<T> {
-    /// The vector (x, y).
+    /// Creates the vector (x, y).
     #[inline(always)]
     #[must_use]
     pub const fn new(x: T, y: T) -> Self {
         Vec2 { x, y }
     }
 
-    /// Each component by itself.
+    /// Applies a function to each component.
     #[inline(always)]
     #[must_use]
     pub fn map<U>(self, mut f: impl FnMut(T) -> U) -> Vec2<U> {
@@ -32,48 +32,49 @@ impl<T> Vec2<T> {
 }
 
 impl<T: Number> Vec2<T> {
-    /// A constant vector.
+    /// Converts a constant vector.
     #[inline(always)]
     #[must_use]
     pub fn of(constant: Vec2<Constant>) -> Self {
         constant.map(T::of)
     }
 
-    /// The scalar product.
+    /// Returns the scalar product.
     #[inline(always)]
     #[must_use]
     pub fn dot(self, other: Vec2<T>) -> T {
         self.x * other.x + self.y * other.y
     }
 
-    /// The out-of-plane component of the vector product: positive where `other` lies to the left.
+    /// Returns the out-of-plane component of the vector product: positive if `other` is to the
+    /// left.
     #[inline(always)]
     #[must_use]
     pub fn cross(self, other: Vec2<T>) -> T {
         self.x * other.y - self.y * other.x
     }
 
-    /// `k x self`: turned by +90 degrees, counter-clockwise.
+    /// Returns `k x self`: the vector turned by +90 degrees, counter-clockwise.
     #[inline(always)]
     #[must_use]
     pub fn perp(self) -> Vec2<T> {
         Vec2::new(-self.y, self.x)
     }
 
-    /// The square of the length.
+    /// Returns the square of the length.
     #[inline(always)]
     #[must_use]
     pub fn norm2(self) -> T {
         self.dot(self)
     }
 
-    /// The length.
+    /// Returns the length.
     #[must_use]
     pub fn norm(self) -> T {
         T::norm(self)
     }
 
-    /// Turned by the angle of the unit vector `direction`: the complex product.
+    /// Returns the vector turned by the angle of the unit vector `direction`: the complex product.
     #[inline(always)]
     #[must_use]
     pub fn turned(self, direction: Vec2<T>) -> Vec2<T> {
@@ -83,35 +84,35 @@ impl<T: Number> Vec2<T> {
         )
     }
 
-    /// Mirrored in the x axis: as a rotation, the one that undoes it.
+    /// Returns the vector reflected in the x axis: as a rotation, the inverse.
     #[inline(always)]
     #[must_use]
     pub fn conj(self) -> Vec2<T> {
         Vec2::new(self.x, -self.y)
     }
 
-    /// Times a constant.
+    /// Multiplies by a constant.
     #[inline(always)]
     #[must_use]
     pub fn times(self, constant: Constant) -> Vec2<T> {
         self.map(|v| v.times(constant))
     }
 
-    /// Plus a constant.
+    /// Adds a constant.
     #[inline(always)]
     #[must_use]
     pub fn plus(self, constant: Vec2<Constant>) -> Vec2<T> {
         Vec2::new(self.x.plus(constant.x), self.y.plus(constant.y))
     }
 
-    /// Times a power of two, exactly.
+    /// Multiplies by a power of two, exactly.
     #[inline(always)]
     #[must_use]
     pub fn scaled(self, power_of_two: f64) -> Vec2<T> {
         self.map(|v| v.scaled(power_of_two))
     }
 
-    /// The nearest vector of doubles.
+    /// Returns the nearest vector of doubles.
     #[inline(always)]
     #[must_use]
     pub fn nearest(self) -> Vec2 {
@@ -122,22 +123,22 @@ impl<T: Number> Vec2<T> {
 impl Vec2 {
     /// The null vector.
     pub const ZERO: Vec2 = Vec2::new(0.0, 0.0);
-    /// The unit vector along x: as a rotation, none at all.
+    /// The unit vector along x: as a rotation, the identity.
     pub const X: Vec2 = Vec2::new(1.0, 0.0);
 
-    /// The direction in radians, from -pi to pi; 0 for the null vector.
+    /// Returns the direction in radians, from -pi to pi; 0 for the null vector.
     #[must_use]
     pub fn angle(self) -> f64 {
         self.y.atan2(self.x)
     }
 
-    /// Whether both components are finite.
+    /// Returns `true` if both components are finite.
     #[must_use]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite()
     }
 
-    /// The same vector in another arithmetic.
+    /// Converts the vector to another arithmetic, exactly.
     #[inline(always)]
     #[must_use]
     pub fn exactly<T: Number>(self) -> Vec2<T> {
@@ -192,7 +193,7 @@ impl<T: Number> Div<T> for Vec2<T> {
     }
 }
 
-/// Vectors and points of nalgebra, both ways: at the edge of the library they are one language.
+/// Conversions to and from nalgebra's vectors and points, for use at the edge of the library.
 impl From<Vec2> for Vector2<f64> {
     fn from(v: Vec2) -> Vector2<f64> {
         Vector2::new(v.x, v.y)

@@ -1,4 +1,4 @@
-//! Builds a mechanism element by element, and checks each by itself.
+//! Builds a mechanism element by element and checks each by itself.
 
 use super::ranks::NameRanks;
 use super::{
@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 /// Builds a [`Mechanism`]: see the crate's front page for an example.
 ///
-/// Ids belong to the builder that gave them. Those of another name whatever stands at their place
-/// here, and a method given one that has no such place panics.
+/// Ids are valid only for the builder that created them. An id from another builder refers to the
+/// element with the same index here; a method panics if that index does not exist.
 #[derive(Clone, Debug)]
 pub struct Builder {
     points: Vec<Point>,
@@ -57,23 +57,24 @@ impl Default for Builder {
     }
 }
 
-/// No link may be shorter than this part of the longest length: products of four lengths stay normal.
+/// Minimum ratio of a link's length to the longest length: products of four lengths stay normal.
 const SHORTEST: f64 = 1e-75;
 
 impl Builder {
-    /// A point fixed in the ground at (x, y).
+    /// Adds a point fixed in the ground at (x, y).
     pub fn ground_point(&mut self, x: f64, y: f64) -> PointId {
         self.push_point(Some(Vec2::new(x, y)))
     }
 
-    /// A mark at (x, y) on the ground: a place to be shown and compared with, which holds nothing.
+    /// Adds a mark at (x, y) on the ground: a position to show and compare with, which holds
+    /// nothing.
     pub fn mark(&mut self, x: f64, y: f64) -> PointId {
         let mark = self.ground_point(x, y);
         self.points[mark.index()].is_mark = true;
         mark
     }
 
-    /// A point that moves: links or slides that name it give it its place.
+    /// Adds a moving point. The links or slides that refer to it determine its position.
     pub fn moving_point(&mut self) -> PointId {
         self.push_point(None)
     }
@@ -87,7 +88,7 @@ impl Builder {
         PointId::new(self.points.len() - 1)
     }
 
-    /// A link that runs `from` one point `to` another.
+    /// Adds a link that runs `from` one point `to` another.
     pub fn link(&mut self, from: PointId, to: PointId, length: f64) -> LinkId {
         let link = self.free_link();
         self.links[link.index()].ends = Some((from, to));
@@ -96,7 +97,7 @@ impl Builder {
         link
     }
 
-    /// A link that is given by its points alone: add them with [`Builder::carry`].
+    /// Adds a link defined by its points alone. Add these with [`Builder::carry`].
     pub fn free_link(&mut self) -> LinkId {
         self.links.push(Link {
             members: Vec::new(),
@@ -108,7 +109,7 @@ impl Builder {
         LinkId::new(self.links.len() - 1)
     }
 
-    /// Puts a point on a link, at `local` in the link's frame.
+    /// Attaches a point to a link, at `local` in the link's frame.
     pub fn carry(&mut self, link: LinkId, point: PointId, local: Vec2) {
         let polar = None;
         self.push_member(
@@ -121,9 +122,11 @@ impl Builder {
         );
     }
 
-    /// Puts a point on a link, seen from another point of the link at a length and an angle, in degrees
-    /// counter-clockwise from the link's x axis. `None` is the origin of the link's frame; any other point must be
-    /// carried by the link already, or [`Builder::build`] refuses the place as no number.
+    /// Attaches a point to a link, at a length and angle from another point of the link. The angle
+    /// is in degrees, counter-clockwise from the link's x axis.
+    ///
+    /// `from` of `None` is the origin of the link's frame. Any other point must already belong to
+    /// the link; if not, [`Builder::build`] rejects the coordinates as not finite.
     pub fn carry_at(
         &mut self,
         link: LinkId,
@@ -149,7 +152,7 @@ impl Builder {
         self.links[link.index()].members.push(member);
     }
 
-    /// Gives a link its centre of mass; the returned point rides on the link.
+    /// Adds a link's centre of mass and returns it as a new point of the link.
     pub fn centre_of_mass(&mut self, link: LinkId, local: Vec2) -> PointId {
         let com = self.moving_point();
         self.carry(link, com, local);
@@ -157,7 +160,7 @@ impl Builder {
         com
     }
 
-    /// The same by a length and an angle, as [`Builder::carry_at`] takes them.
+    /// Adds a link's centre of mass by a length and an angle, in the form of [`Builder::carry_at`].
     pub fn centre_of_mass_at(
         &mut self,
         link: LinkId,
@@ -170,20 +173,20 @@ impl Builder {
         com
     }
 
-    /// Gives a link its mass in kg and its moment of inertia about the centre of mass in kg m^2.
+    /// Sets a link's mass in kg and its moment of inertia about the centre of mass in kg m^2.
     pub fn mass(&mut self, link: LinkId, mass: f64, inertia: f64) {
         self.links[link.index()].mass = mass;
         self.links[link.index()].inertia = inertia;
     }
 
-    /// A pin in a slot of `on`: the slot runs through `through` at `angle` degrees, both in the
-    /// frame of `on`.
+    /// Adds a pin in a slot of `on`. The slot runs through `through` at `angle` degrees, both in
+    /// the frame of `on`.
     pub fn pin_in_slot(&mut self, point: PointId, on: Body, through: Vec2, angle: f64) -> SlideId {
         self.push_slide(Slider::Pin(point), on, through, angle)
     }
 
-    /// A link that slides along a guide of `on` without turning: its origin on the guide, its x axis
-    /// at `turn` degrees to it.
+    /// Adds a link that slides along a guide of `on` without rotating. The link's origin is on the
+    /// guide, its x axis at `turn` degrees to it.
     pub fn sliding_link(
         &mut self,
         link: LinkId,
@@ -216,8 +219,8 @@ impl Builder {
         SlideId::new(self.slides.len() - 1)
     }
 
-    /// Says that a guide runs through this point of its body, and not merely through the same place: a
-    /// point that lies elsewhere takes the guide along.
+    /// Ties a guide to a point of its body, instead of to a fixed position. If the point is moved,
+    /// the guide moves with it.
     pub fn named_through(&mut self, slide: SlideId, point: PointId) {
         self.slides[slide.index()].named = Some(point);
     }
@@ -227,7 +230,8 @@ impl Builder {
         self.driver = Some(driver);
     }
 
-    /// Adds an input that follows the driver. Where its table ends the motion ends: that limit.
+    /// Adds an input that follows the driver. Returns the limit that ends the motion where an open
+    /// table ends.
     pub fn timed(&mut self, input: TimedInput) -> Option<LimitId> {
         let open = input.table().filter(|table| table.period().is_none());
         let ends = open.map(InputTable::ends);
@@ -236,13 +240,13 @@ impl Builder {
         ends.map(|[low, high]| self.limit(Limit { of, low, high }))
     }
 
-    /// Lets an input turn a link against another one instead of the ground: its motor sits on that, and the angle
-    /// between the two is its coordinate.
+    /// Measures a turned link's input angle from another link instead of the ground: the motor is
+    /// mounted on that link.
     pub fn turned_from(&mut self, link: LinkId, from: LinkId) {
         self.turned_from.push((link, from));
     }
 
-    /// A rough position of a moving point at the opening.
+    /// Adds an approximate start position of a moving point.
     pub fn start(&mut self, point: PointId, near: Vec2) {
         self.start.push((point, near));
     }
@@ -252,7 +256,7 @@ impl Builder {
         self.loads.push(load);
     }
 
-    /// Holds a coordinate between two stops.
+    /// Adds a limit: a coordinate bounded by two stops.
     pub fn limit(&mut self, limit: Limit) -> LimitId {
         self.limits.push(limit);
         LimitId::new(self.limits.len() - 1)
@@ -263,44 +267,46 @@ impl Builder {
         self.gravity = gravity;
     }
 
-    /// Says how many metres the unit of all lengths has: 1 if it is not said. Only forces need it.
+    /// Sets the length unit, in metres. The default is 1. Only forces need it.
     pub fn metres(&mut self, metres: f64) {
         self.metres = metres;
     }
 
-    /// Accepts that constraints which repeat others disagree with them by so much, in the unit of all
-    /// lengths: for drawings of few digits. 0 if it is not said.
+    /// Sets the accepted disagreement of redundant constraints, in the length unit, for drawings of
+    /// few digits. The default is 0.
     pub fn misfit(&mut self, misfit: f64) {
         self.misfit = misfit;
     }
 
-    /// Says that lengths and coordinates were typed as decimals: one of up to 15 digits then stands for
-    /// the decimal, not for the double next to it. It counts where lengths are compared, see
-    /// [`Motion::tolerance`](crate::solver::Motion::tolerance). Bounds of errors take one of up to 14 digits for the
-    /// decimal; whoever gives more has rounded it.
+    /// Declares that lengths and coordinates were typed as decimals. A number of up to 15 digits
+    /// then means the decimal, not the nearest double.
+    ///
+    /// This matters where lengths are compared, see
+    /// [`Motion::tolerance`](crate::solver::Motion::tolerance). Error bounds take numbers of up to
+    /// 14 digits as exact decimals; longer ones count as rounded.
     pub fn decimals(&mut self) {
         self.decimals = true;
     }
 
-    /// Says that some number which reads as a decimal of up to 14 digits was rounded from another one: bounds of errors
-    /// then cover half an ulp of every number.
+    /// Declares that a number which reads as a decimal of up to 14 digits was rounded from another
+    /// one. Error bounds then cover half an ulp of every number.
     pub fn rounded(&mut self) {
         self.rounded = true;
     }
 
-    /// Gives the driver's speed and acceleration to twice the digits, as they were typed: bounds of errors know then
-    /// what the doubles leave out of them.
+    /// Sets the driver's speed and acceleration as typed, in double-double. Error bounds then
+    /// account for the digits that the doubles leave out.
     pub fn typed_rates(&mut self, rates: [Double; 2]) {
         self.typed_rates = Some(rates);
     }
 
-    /// Says that the driver's speed and acceleration were given in another unit and converted: bounds of errors
-    /// then cover the rounding of that.
+    /// Declares that the driver's speed and acceleration were converted from another unit. Error
+    /// bounds then cover the rounding error of the conversion.
     pub fn converted_rates(&mut self) {
         self.converted_rates = true;
     }
 
-    /// Checks every element by itself.
+    /// Checks every element by itself and builds the mechanism.
     ///
     /// # Errors
     /// All defects found, in the order of the elements.
@@ -333,7 +339,8 @@ impl Builder {
         }
     }
 
-    /// Lays what is given by lengths and angles, once it is known what numbers stand for.
+    /// Computes the coordinates given by lengths and angles. This waits for `build`, when it is
+    /// known whether numbers mean decimals.
     fn lay(&mut self) {
         for link in &mut self.links {
             link.lay(self.decimals);
@@ -380,7 +387,7 @@ impl Builder {
         found.extend(unsound.map(|(_, i)| Defect::Limit {
             limit: LimitId::new(i),
         }));
-        // Written so that NaN is refused too.
+        // Negated so that NaN is rejected too.
         if !(self.misfit >= 0.0 && self.misfit.is_finite()) {
             found.push(Defect::Misfit);
         }
@@ -407,7 +414,8 @@ impl Builder {
         }
     }
 
-    /// The shortest link beside the longest length there is; one that is no number has a defect of its own.
+    /// Compares the shortest link with the longest length. Lengths that are not finite have a
+    /// defect of their own.
     fn check_proportions(&self, found: &mut Vec<Defect>) {
         let origin = self.points.iter().find_map(|point| point.ground);
         let origin = origin.unwrap_or_default();
@@ -491,7 +499,7 @@ impl Builder {
         }
     }
 
-    /// Whether what an input moves has a ground point to turn about, if it turns against the ground.
+    /// Returns `true` if the input needs no ground pivot or the moved link has one.
     fn has_pivot(&self, input: Input) -> bool {
         let on_ground = |m: &Member| self.points[m.point.index()].ground.is_some();
         match input {
@@ -504,7 +512,7 @@ impl Builder {
     }
 }
 
-/// How far each point of a link is from its first one.
+/// Returns the distance of each point of a link from the link's first point.
 fn reaches(link: &Link) -> impl Iterator<Item = (PointId, f64)> + '_ {
     let first = link.members.first().map_or(Vec2::ZERO, |m| m.local);
     let members = link.members.iter();
@@ -517,7 +525,7 @@ fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {
     }
     if let (Some(_), [_, to, ..]) = (link.ends, link.members.as_slice()) {
         let length = to.local.x;
-        // Written so that NaN is refused too.
+        // Negated so that NaN is rejected too.
         if !(length > 0.0 && length.is_finite()) {
             found.push(Defect::Length { link: id, length });
         }
@@ -538,7 +546,7 @@ fn check_link(id: LinkId, link: &Link, found: &mut Vec<Defect>) {
             found.push(Defect::Twice { link: id, point });
         }
     }
-    // Written so that NaN is refused too.
+    // Written so that NaN is rejected too.
     let fits = |v: f64| v >= 0.0 && v.is_finite();
     if !(fits(link.mass) && fits(link.inertia)) {
         found.push(Defect::Mass { link: id });

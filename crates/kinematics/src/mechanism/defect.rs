@@ -1,13 +1,13 @@
-//! What is wrong with a mechanism that cannot be built.
+//! Defines the defects that prevent a mechanism from being built.
 
 use super::{ElementId, LimitId, LinkId, PointId, SlideId};
 use std::fmt;
 use thiserror::Error;
 
-/// What is wrong with one element of a mechanism, found by [`Builder::build`](super::Builder::build).
+/// A defect of one element of a mechanism, found by [`Builder::build`](super::Builder::build).
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Defect {
-    /// A link of no length, or with a length that is no positive number.
+    /// A link whose length is not a positive finite number.
     #[error("the length must be a positive number, not {length}")]
     Length {
         /// The link.
@@ -15,24 +15,24 @@ pub enum Defect {
         /// The length given.
         length: f64,
     },
-    /// A link far too short beside the longest length of the mechanism: the square of its square is less than
-    /// any double in units of that.
+    /// A link far too short compared with the mechanism's longest length: the fourth power of their
+    /// ratio underflows.
     #[error("the length {length} is out of all proportion to the longest one, {longest}")]
     Proportion {
         /// The link.
         link: LinkId,
-        /// Its length, or the least distance of its points.
+        /// Its length, or the minimum distance between its points.
         length: f64,
-        /// The longest length, or the largest distance on the ground or on a link.
+        /// The longest length, or the maximum distance on the ground or on a link.
         longest: f64,
     },
-    /// A coordinate of a ground point, a member, a guide or a start that is not finite.
+    /// A non-finite coordinate of a ground point, a member, a guide or a start position.
     #[error("the coordinates must be finite numbers")]
     Coordinates {
-        /// Whose.
+        /// The element with the coordinate.
         of: ElementId,
     },
-    /// The same point twice in one link.
+    /// A point that occurs twice in one link.
     #[error("the point stands twice in the link")]
     Twice {
         /// The link.
@@ -40,19 +40,19 @@ pub enum Defect {
         /// The point.
         point: PointId,
     },
-    /// A link without a point.
+    /// A link without points.
     #[error("the link has no point")]
     Empty {
         /// The link.
         link: LinkId,
     },
-    /// A point on neither the ground, nor a link, nor a slide.
+    /// A point that belongs neither to the ground, nor to a link, nor to a slide.
     #[error("the point belongs to no link, no slide and not to the ground")]
     Stray {
         /// The point.
         point: PointId,
     },
-    /// A slide of a link on itself, or of a point that the guide's body carries.
+    /// A link that slides on itself, or a point that slides on a body carrying it.
     #[error("nothing can slide on itself")]
     OnItself {
         /// The slide.
@@ -64,67 +64,69 @@ pub enum Defect {
         /// The link.
         link: LinkId,
     },
-    /// A link that is turned against itself.
+    /// A link turned against itself.
     #[error("no link turns against itself")]
     TurnedFromItself {
         /// The link.
         link: LinkId,
     },
-    /// A driver coordinate or rate that is not finite.
+    /// A non-finite coordinate or rate of the driver.
     #[error("the driver's coordinate, speed and acceleration must be finite numbers")]
     Driver,
-    /// No driver was set.
+    /// A missing driver.
     #[error("there is no driver")]
     NoDriver,
-    /// A link or a slide that is driven by two inputs.
+    /// A link or slide driven by two inputs.
     #[error("two inputs drive the same element")]
     DrivenTwice {
-        /// What is driven.
+        /// The driven element.
         of: ElementId,
     },
-    /// A closed table of an input that does not come back to its first value, or whose driver does not turn.
+    /// A closed table of an input that does not return to its first value, or whose driver does not
+    /// turn.
     #[error("the table closes over whole turns of the driver only where its values come back")]
     OpenTable {
-        /// What is driven.
+        /// The driven element.
         of: ElementId,
     },
-    /// A mass or an inertia that is negative or not finite.
+    /// A negative or non-finite mass or inertia.
     #[error("mass and inertia must be finite and not negative")]
     Mass {
         /// The link.
         link: LinkId,
     },
-    /// A mass without a centre.
+    /// A mass without a centre of mass.
     #[error("a mass needs a centre of mass")]
     NoCentre {
         /// The link.
         link: LinkId,
     },
-    /// A limit whose ends are not finite or not in order, or that of an angle with its ends a turn apart.
+    /// A limit whose ends are not finite or not in order, or an angle limit whose ends are a turn
+    /// or more apart.
     #[error("a limit needs two finite ends, the lower one first, those of an angle within a turn")]
     Limit {
         /// The limit.
         limit: LimitId,
     },
-    /// An accepted misfit that is negative or not finite.
+    /// A negative or non-finite accepted disagreement.
     #[error("the accepted misfit must be finite and not negative")]
     Misfit,
-    /// A load, the gravity or the unit that is not finite, or negative where it must not be; a spring
-    /// from a point to itself; a press whose guide moves.
+    /// A load, gravity or length unit that is not finite, or negative where it must not be. Also a
+    /// spring from a point to itself, and a press whose guide moves.
     #[error(
         "loads and gravity must be finite, springs join two points, presses work on the ground"
     )]
     Load,
 }
 
-/// All that is wrong with the elements of a mechanism: never nothing.
+/// All defects of a mechanism's elements; never empty.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Defects {
     pub(super) list: Vec<Defect>,
 }
 
 impl Defects {
-    /// One by one, in the order of the elements.
+    /// Returns the defects, in the order of the elements.
     #[must_use]
     pub fn list(&self) -> &[Defect] {
         &self.list

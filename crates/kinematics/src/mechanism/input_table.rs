@@ -1,28 +1,31 @@
-//! Tables by which an input follows the driver.
+//! Defines tables by which an input follows the driver.
 
 use super::spline::{Spline, SplineEnds};
 use crate::angle::TURN;
 use std::sync::Arc;
 
-/// Turns and values that are this many roundings apart are the same: what was typed is rounded.
+/// Tolerance for comparing turns and values, in multiples of the machine epsilon, because typed
+/// values are rounded.
 const SAME: f64 = 4.0;
 
-/// The coordinate of an input over the driver's: a cubic spline through knots, whose first and second derivatives go
-/// on from knot to knot.
+/// An input's coordinate as a function of the driver's: a cubic spline through knots, with
+/// continuous first and second derivatives.
 ///
-/// A table that is open is at rest at both ends, and the motion ends there. One that is closed spans whole turns of a
-/// driven link and repeats: its end goes on as its beginning does.
+/// An open table is at rest at both ends, and the motion ends there. A closed table spans whole
+/// turns of a driven link and repeats, with continuous derivatives across the seam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InputTable {
     curve: Arc<Spline>,
-    /// Of a closed one the period, in degrees.
+    /// The period of a closed table, in degrees.
     period: Option<f64>,
 }
 
 impl InputTable {
-    /// Through these knots: the driver's coordinate, and that of the input there, in degrees or the scene's length
-    /// unit. `None` for fewer than two, where the driver's coordinate does not grow, and for numbers that are not
-    /// finite.
+    /// Creates an open table through knots of the driver's coordinate and the input's, in degrees
+    /// or the scene's length unit.
+    ///
+    /// Returns `None` for fewer than two knots, if the driver's coordinate does not increase, or if
+    /// a number is not finite.
     #[must_use]
     pub fn open(knots: Vec<[f64; 2]>) -> Option<InputTable> {
         let curve = Spline::new(knots, SplineEnds::AtRest)?;
@@ -30,8 +33,11 @@ impl InputTable {
         Some(InputTable { curve, period })
     }
 
-    /// The same, closed; also `None` where the knots do not span whole turns. The last value has to be the first, of a
-    /// link that is turned whole turns from it: [`InputTable::comes_back`].
+    /// Creates a closed table, with knots as for [`InputTable::open`]. Also returns `None` if the
+    /// knots do not span whole turns.
+    ///
+    /// The last value must equal the first, for a turned link up to whole turns: see
+    /// [`InputTable::comes_back`].
     #[must_use]
     pub fn closed(knots: Vec<[f64; 2]>) -> Option<InputTable> {
         let curve = Spline::new(knots, SplineEnds::Closed)?;
@@ -41,30 +47,30 @@ impl InputTable {
         Some(InputTable { curve, period })
     }
 
-    /// The knots, as they were given.
+    /// Returns the knots as given.
     #[must_use]
     pub fn knots(&self) -> &[[f64; 2]] {
         self.curve.knots()
     }
 
-    /// The second derivatives at the knots.
+    /// Returns the second derivatives at the knots.
     pub fn bends(&self) -> &[f64] {
         self.curve.bends()
     }
 
-    /// After how many degrees of the driver it repeats, if it does.
+    /// Returns the period in degrees of the driver, or `None` for an open table.
     #[must_use]
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// The driver's coordinates at which it begins and ends.
+    /// Returns the driver's coordinates at which the table begins and ends.
     #[must_use]
     pub fn ends(&self) -> [f64; 2] {
         self.curve.ends().map(|knot| knot[0])
     }
 
-    /// Whether the last value is the first: where a link is turned, but for whole turns.
+    /// Returns `true` if the last value equals the first; for a turned link, up to whole turns.
     #[must_use]
     pub fn comes_back(&self, turns: bool) -> bool {
         let [first, last] = self.curve.ends().map(|knot| knot[1]);
@@ -74,8 +80,9 @@ impl InputTable {
         }
     }
 
-    /// The coordinate of the input at one of the driver's, and its first two derivatives by that, in the units in which
-    /// both were given; beyond an open end it stays.
+    /// Returns the input's coordinate at a coordinate of the driver, and its first two derivatives
+    /// by the driver's coordinate, in the units of the knots. Beyond an open end, the coordinate is
+    /// constant.
     #[must_use]
     pub fn at(&self, place: f64) -> [f64; 3] {
         let [first, last] = self.curve.ends();
@@ -94,7 +101,8 @@ impl InputTable {
     }
 }
 
-/// From one number to another, where that is whole turns but for rounding: degrees.
+/// Returns `to - from` as whole turns in degrees, or `None` if it differs from whole turns by more
+/// than rounding errors.
 fn whole_turns(from: f64, to: f64) -> Option<f64> {
     let way = TURN * ((to - from) / TURN).round();
     let slack = SAME * f64::EPSILON * from.abs().max(to.abs());

@@ -1,36 +1,37 @@
-//! Further inputs, which follow the driver.
+//! Defines further inputs, which follow the driver.
 
 use super::{
     Body, Defect, Driver, ElementId, Input, InputTable, LinkId, Mechanism, PointId, SlideId,
 };
 use crate::angle::TURN;
 
-/// An input whose coordinate follows the driver's: a second crank on the same shaft, a cylinder that is
-/// switched with another one.
+/// An input whose coordinate follows the driver's, such as a second crank on the same shaft or a
+/// cylinder switched with another one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimedInput {
-    /// What is moved.
+    /// The driven link or slide.
     pub input: Input,
-    /// How its coordinate follows.
+    /// The law by which its coordinate follows the driver's.
     pub law: InputLaw,
 }
 
-/// How the coordinate of an input follows the driver's: both in degrees or the scene's length unit, each its own.
+/// The law by which an input's coordinate follows the driver's. Each coordinate is in degrees or
+/// the scene's length unit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum InputLaw {
-    /// In proportion.
+    /// A linear function of the driver's coordinate.
     Ratio {
-        /// Its coordinate for a unit of the driver's.
+        /// The change of the input's coordinate per unit of the driver's.
         ratio: f64,
-        /// Its coordinate where the driver's is 0.
+        /// The input's coordinate where the driver's is 0.
         phase: f64,
     },
-    /// By a table of both.
+    /// A table of both coordinates.
     Table(InputTable),
 }
 
 impl TimedInput {
-    /// Its coordinate at one of the driver's.
+    /// Returns the input's coordinate at a coordinate of the driver.
     #[must_use]
     pub fn coordinate(&self, at: f64) -> f64 {
         match &self.law {
@@ -42,8 +43,8 @@ impl TimedInput {
         }
     }
 
-    /// The first and the second derivative of its coordinate by the driver's: in radians or the scene's length unit,
-    /// each.
+    /// Returns the first and second derivative of the input's coordinate by the driver's. Each
+    /// coordinate counts in radians or the scene's length unit.
     #[must_use]
     pub fn rates(&self, at: f64, driver: Input) -> [f64; 2] {
         let [first, second] = match &self.law {
@@ -65,7 +66,7 @@ impl TimedInput {
         [first * per_unit, second * per_unit * once_more]
     }
 
-    /// The table, if it follows one.
+    /// Returns the table, if the input follows one.
     #[must_use]
     pub fn table(&self) -> Option<&InputTable> {
         match &self.law {
@@ -74,7 +75,7 @@ impl TimedInput {
         }
     }
 
-    /// Whether it is where it was after so many turns of a driven link.
+    /// Returns `true` if the input repeats after this many turns of a driven link.
     pub(crate) fn comes_round(&self, turns: usize) -> bool {
         let turns = turns as f64;
         match &self.law {
@@ -110,37 +111,39 @@ impl TimedInput {
     }
 }
 
-/// A ratio as a fraction of whole numbers, if it is one with a small denominator: 0.3333333333333333 is meant for a
-/// third.
+/// Returns a ratio as a fraction of whole numbers, or `None` if the denominator would exceed
+/// `MOST_DENOMINATOR`: 0.3333333333333333 means a third.
 pub(crate) fn fraction(ratio: f64) -> Option<(f64, f64)> {
     let denominators = (1..=MOST_DENOMINATOR).map(f64::from);
     let mut fractions = denominators.map(|of| ((ratio * of).round(), of));
     fractions.find(|(count, of)| count / of == ratio)
 }
 
-/// A motion is followed over so many turns: a ratio with a larger denominator does not come round in them.
+/// Maximum number of turns over which a motion is tracked. A ratio with a larger denominator does
+/// not repeat within them.
 const MOST_DENOMINATOR: u8 = 16;
 
 impl Mechanism {
-    /// The inputs that follow the driver.
+    /// Returns the inputs that follow the driver.
     #[must_use]
     pub fn timed(&self) -> &[TimedInput] {
         &self.parts.timed
     }
 
-    /// Every input, the driver's first: as many as there are degrees of freedom.
+    /// Returns every input, the driver's first: one per degree of freedom.
     pub fn inputs(&self) -> impl Iterator<Item = Input> + '_ {
         let timed = self.timed().iter().map(|timed| timed.input);
         std::iter::once(self.driver().input).chain(timed)
     }
 
-    /// Whether an input turns a link.
+    /// Returns `true` if an input turns the link.
     #[must_use]
     pub fn is_turned(&self, link: LinkId) -> bool {
         self.inputs().any(|input| input == Input::Turn(link))
     }
 
-    /// Against what an input turns a link: the ground, or the link that its motor sits on.
+    /// Returns the body against which an input turns a link: the ground, or the link with the
+    /// motor.
     #[must_use]
     pub fn turned_from(&self, link: LinkId) -> Body {
         let mut pairs = self.parts.turned_from.iter();
@@ -148,7 +151,7 @@ impl Mechanism {
         found.map_or(Body::Ground, |&(_, from)| Body::Link(from))
     }
 
-    /// The links that inputs turn against others, with these.
+    /// Returns the links that inputs turn against other links, each with that other link.
     pub fn elbows(&self) -> impl Iterator<Item = (LinkId, LinkId)> + '_ {
         let links = self.inputs().filter_map(|input| match input {
             Input::Turn(link) => Some(link),
@@ -160,20 +163,20 @@ impl Mechanism {
         })
     }
 
-    /// Whether an input gives a link its direction: it turns the link against the ground.
+    /// Returns `true` if an input sets the link's direction: it turns the link against the ground.
     #[must_use]
     pub fn is_directed(&self, link: LinkId) -> bool {
         self.is_turned(link) && self.turned_from(link) == Body::Ground
     }
 
-    /// Whether the driver's coordinate is the direction of a link.
+    /// Returns `true` if the driver's coordinate is the link's direction.
     #[must_use]
     pub fn is_crank(&self, link: LinkId) -> bool {
         self.driver().input == Input::Turn(link) && self.is_directed(link)
     }
 
-    /// The point about which an input turns a link: its ground point, or the joint with the link that the motor sits
-    /// on; `None` where there is none.
+    /// Returns the point about which an input turns a link: its ground point, or the joint with the
+    /// link that carries the motor. Returns `None` if there is none.
     #[must_use]
     pub fn hub(&self, link: LinkId) -> Option<PointId> {
         let mut points = self.link(link).members.iter().map(|member| member.point);
@@ -184,8 +187,8 @@ impl Mechanism {
         })
     }
 
-    /// What an input turns a link with, as a part of its own effort: 1 on the link, -1 on the one that its motor sits
-    /// on.
+    /// Returns the inputs whose torque acts on a link, with its sign: 1 on the turned link, -1 on
+    /// the link that carries the motor.
     pub fn torques_on(&self, link: LinkId) -> impl Iterator<Item = (Input, f64)> + '_ {
         self.inputs().filter_map(move |input| match input {
             Input::Turn(turned) if turned == link => Some((input, 1.0)),
@@ -196,13 +199,13 @@ impl Mechanism {
         })
     }
 
-    /// Whether an input pushes a slide.
+    /// Returns `true` if an input pushes the slide.
     #[must_use]
     pub fn is_pushed(&self, slide: SlideId) -> bool {
         self.inputs().any(|input| input == Input::Push(slide))
     }
 
-    /// The further input of a link or a slide, if it has one.
+    /// Returns the further input of a link or slide, if it has one.
     #[must_use]
     pub fn timed_input(&self, input: Input) -> Option<&TimedInput> {
         self.timed().iter().find(|timed| timed.input == input)
@@ -210,7 +213,7 @@ impl Mechanism {
 }
 
 impl Driver {
-    /// Whether it turns a link, and does not push a slide.
+    /// Returns `true` if the driver turns a link; `false` if it pushes a slide.
     #[must_use]
     pub fn turns(&self) -> bool {
         matches!(self.input, Input::Turn(_))
@@ -218,7 +221,7 @@ impl Driver {
 }
 
 impl Input {
-    /// The link or the slide.
+    /// Returns the driven link or slide.
     #[must_use]
     pub fn element(self) -> ElementId {
         match self {

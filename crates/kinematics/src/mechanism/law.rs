@@ -1,7 +1,8 @@
-//! Laws of motion over time: where a driver is, how fast, and how its speed changes.
+//! Computes a driver's coordinate, speed and acceleration over time from a law of motion.
 //!
-//! A law is a list of steps from one coordinate to the next, one after another, and begins anew when all are
-//! done: a driver that ends where it began repeats its period, one that ends whole turns on goes on from there.
+//! A law is a list of steps from one coordinate to the next. It restarts after the last one: a
+//! driver that ends where it began repeats its period; one that ends whole turns further continues
+//! from there.
 
 mod arcs;
 mod peaks;
@@ -15,7 +16,7 @@ use crate::arithmetic::Sharp;
 use crate::{Ball, Constant, Number};
 use arcs::MotionArc;
 
-/// How a step goes from its beginning to its end; s is the part of its time, h the part of its way.
+/// The shape of a step: the fraction h of its travel over the fraction s of its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepLaw {
     /// h = s: a constant speed.
@@ -24,26 +25,28 @@ pub enum StepLaw {
     Harmonic,
     /// h = s - sin(2 pi s) / (2 pi): no acceleration at both ends.
     Cycloidal,
-    /// A speed that grows evenly over this part of the time, stays, and falls as it grew: a trapezoid.
+    /// A trapezoidal speed: it grows linearly over this fraction of the time, stays constant and
+    /// falls symmetrically.
     Trapezoid {
-        /// Above 0 and at most a half.
+        /// The fraction of the time, above 0 and at most a half.
         ramp: f64,
     },
 }
 
-/// A part of a motion, from where the one before it ended.
+/// A step of a motion, which begins where the previous one ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TimedStep {
-    /// To a coordinate, in a time.
+    /// A move to a coordinate in a given time.
     Law {
-        /// How it goes there; what stays where it is dwells.
+        /// The shape of the step. A step to its own start is a dwell.
         law: StepLaw,
-        /// In degrees or in the scene's length unit.
+        /// The end coordinate, in degrees or in the scene's length unit.
         to: f64,
-        /// In s, above 0.
+        /// The duration in s, above 0.
         time: f64,
     },
-    /// Through knots of time, from its beginning on, and coordinate: at rest at both ends.
+    /// A curve through knots of time, from the beginning of the step, and coordinate. It is at rest
+    /// at both ends.
     Table(ClampedSpline),
 }
 
@@ -52,34 +55,36 @@ pub enum TimedStep {
 pub struct MotionLaw {
     start: f64,
     steps: Vec<TimedStep>,
-    /// When each step ends, in s: the doubles nearest to the sums of their times.
+    /// The end time of each step, in s: the doubles nearest to the sums of their durations.
     joints: Vec<f64>,
     arcs: Vec<MotionArc>,
     period: Constant,
-    /// Whole turns, or nothing.
+    /// The change of the coordinate per period: whole turns or zero.
     advance: f64,
 }
 
-/// What rounding leaves of nothing, as a part of two coordinates.
+/// Relative tolerance for a difference of two coordinates that is zero but for rounding errors.
 const ROUNDING: f64 = 1e-12;
-/// Roundings of a time within which it is that of a joint: it may be a sum, and so may the joint's.
+/// Tolerance within which a time counts as a joint's, in machine epsilons: both may be rounded
+/// sums.
 const NAMED: f64 = 2.0;
 
-/// Where a driver is, and how it goes on: the coordinate, and its first and second derivative by time.
+/// The driver's coordinate with its first and second time derivative, at one moment.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriverMoment {
-    /// In degrees or in the scene's length unit.
+    /// The coordinate, in degrees or in the scene's length unit.
     pub at: f64,
-    /// The same per s.
+    /// The first derivative of the coordinate, per s.
     pub speed: f64,
-    /// The same per s^2.
+    /// The second derivative of the coordinate, per s^2.
     pub acceleration: f64,
-    /// How far each of the three can be from what was meant, beyond what was typed of a coordinate: bounds go with it.
+    /// Error bounds of the three values against the motion as meant, beyond the rounding of a typed
+    /// coordinate. They enter the error bounds of the results.
     pub off: [f64; 3],
 }
 
 impl TimedStep {
-    /// Where it ends.
+    /// Returns the coordinate at which the step ends.
     #[must_use]
     pub fn to(&self) -> f64 {
         match self {
@@ -88,7 +93,7 @@ impl TimedStep {
         }
     }
 
-    /// How long it takes, in s.
+    /// Returns the duration of the step, in s.
     #[must_use]
     pub fn time(&self) -> f64 {
         match self {
@@ -97,7 +102,7 @@ impl TimedStep {
         }
     }
 
-    /// Whether it goes on from a coordinate, in a time.
+    /// Returns `true` if the step begins at coordinate `from` and its numbers are valid.
     fn is_sound(&self, from: f64) -> bool {
         match self {
             TimedStep::Law { law, to, time } => {
@@ -113,8 +118,11 @@ impl TimedStep {
 }
 
 impl MotionLaw {
-    /// From a coordinate through these steps; `None` without one that takes time, or where a number is none.
-    /// `turns` tells that a link is turned: it may end whole turns from where it began.
+    /// Creates a law from a start coordinate and steps. With `turns`, a link is turned, and the law
+    /// may end whole turns from where it began.
+    ///
+    /// Returns `None` without steps, if a step is invalid, if a number is not finite, or if the end
+    /// does not match the start.
     #[must_use]
     pub fn new(start: f64, steps: Vec<TimedStep>, turns: bool) -> Option<MotionLaw> {
         let end = steps.last()?.to();
@@ -148,20 +156,20 @@ impl MotionLaw {
         })
     }
 
-    /// The time after which it begins anew, in s.
+    /// Returns the period, in s, after which the law repeats.
     #[must_use]
     pub fn period(&self) -> f64 {
         self.period.hi
     }
 
-    /// How far it has gone by then: 0, or whole turns.
+    /// Returns the change of the coordinate per period: 0 or whole turns.
     #[must_use]
     pub fn advance(&self) -> f64 {
         self.advance
     }
 
-    /// Where the driver is at a time, and how far that can be from what was meant. Where two steps meet, what begins:
-    /// also at a time that rounding alone keeps from it.
+    /// Returns the driver's moment at a time, with error bounds. Where two steps meet, the one that
+    /// begins counts, also at a time that differs from the joint by rounding errors only.
     #[must_use]
     pub fn at(&self, time: f64) -> DriverMoment {
         let place = self.place(time);
@@ -173,12 +181,13 @@ impl MotionLaw {
             for (here, near) in found.iter_mut().zip(near) {
                 *here = here.either(near);
             }
-            // It may as well be that much before: there the coordinate is as near, whatever its rates are.
+            // The time may also lie before the joint by as much: the coordinate is as near there,
+            // but its rates may differ.
             found[0] = found[0].either(self.before(&place));
         }
         found[0] += Sharp::exactly(place.periods * self.advance);
         let [at, speed, acceleration] = found.map(Ball::from);
-        // Nothing has no sign.
+        // Adding 0.0 turns -0.0 into 0.0.
         DriverMoment {
             at: at.mid + 0.0,
             speed: speed.mid + 0.0,
@@ -187,7 +196,7 @@ impl MotionLaw {
         }
     }
 
-    /// The coordinate as the arc before has it.
+    /// Returns the coordinate on the arc before the given place.
     fn before(&self, place: &MotionPlace) -> Sharp {
         let begin = Sharp::of(self.arcs[place.arc].begin);
         let (arc, end, advance) = match place.arc.checked_sub(1) {
@@ -201,7 +210,7 @@ impl MotionLaw {
         at - Sharp::exactly(advance)
     }
 
-    /// On which arc a time lies.
+    /// Finds the arc on which a time lies.
     fn place(&self, time: f64) -> MotionPlace {
         let (asked, period) = (Sharp::of(Constant::given(time)), Sharp::of(self.period));
         let slack = NAMED * f64::EPSILON * time.abs().max(self.period.hi);
@@ -210,7 +219,7 @@ impl MotionLaw {
             let after = left - Sharp::of(begin);
             after.mid.hi >= -(after.radius + slack)
         };
-        // The quotient was rounded.
+        // The rounded quotient can be off by one.
         let mut periods = (time / self.period.hi).floor();
         let mut left = since(periods);
         if reaches(left, self.period) {
@@ -231,28 +240,29 @@ impl MotionLaw {
         }
     }
 
-    /// The times at which one step goes over into the next, in one period: there rates may jump.
+    /// Returns the end times of the steps in one period, where rates may jump.
     pub fn joints(&self) -> impl Iterator<Item = f64> {
         self.joints.iter().copied()
     }
 
-    /// The times in one period at which a derivative may jump or the driver turn back: joints, the ends of ramps, the
-    /// knots of tables, and where these turn.
+    /// Returns the times in one period at which a derivative may jump or the driver may reverse.
+    /// These are joints, the ends of ramps, the knots of tables and the points where tables
+    /// reverse.
     pub fn seams(&self) -> impl Iterator<Item = f64> {
         let arcs = self.arcs.iter().skip(1).map(|arc| arc.begin.hi);
         arcs.chain(self.stretches().map(|[_, end]| end))
     }
 }
 
-/// Where in a motion a time lies.
+/// The place of a time in a motion.
 struct MotionPlace {
-    /// Which arc,
+    /// The index of the arc.
     arc: usize,
-    /// how long after it began,
+    /// The time since the arc began.
     after: Sharp,
-    /// whether only rounding keeps it from its beginning,
+    /// Whether the time differs from the arc's beginning by rounding errors only.
     is_named: bool,
-    /// and after how many periods.
+    /// The number of complete periods before.
     periods: f64,
 }
 
@@ -278,7 +288,7 @@ mod tests {
         assert!((value - exact).abs() < most, "{value} for {exact}");
     }
 
-    /// A step of 1 in 1 s, and back.
+    /// Returns the moments of a step of 1 in 1 s that is followed by the way back.
     fn shape(law: StepLaw) -> impl Fn(f64) -> [f64; 3] {
         let steps = vec![step(law, 1.0, 1.0), step(law, 0.0, 1.0)];
         let law = MotionLaw::new(0.0, steps, false).unwrap();

@@ -1,24 +1,24 @@
-//! The lengths that a mechanism is given, one by one, and the same mechanism with one of them changed.
+//! Lists the given lengths of a mechanism and derives mechanisms with one length changed.
 //!
-//! What a drawing, a rule or a workshop settles is never exact; how far a figure follows such a length
-//! is asked one at a time. Angles of guides and the driver's coordinate are no lengths.
+//! Drawn or manufactured lengths are never exact, so sensitivities are computed one length at a
+//! time. Angles of guides and the driver's coordinate do not count as lengths.
 
 use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, PolarPlace, SlideId, Slider};
 use crate::Vec2;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-/// Along which axis a coordinate counts.
+/// The axis of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CoordinateAxis {
-    /// Along x.
+    /// The x axis.
     X,
-    /// Along y.
+    /// The y axis.
     Y,
 }
 
 impl CoordinateAxis {
-    /// Both, in their order.
+    /// Both axes, in order.
     pub const BOTH: [CoordinateAxis; 2] = [CoordinateAxis::X, CoordinateAxis::Y];
 
     fn along(self, by: f64) -> Vec2 {
@@ -29,26 +29,26 @@ impl CoordinateAxis {
     }
 }
 
-/// One given length, in the scene's unit.
+/// A given length, in the scene's unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Length {
     /// The length of a link between its two natural ends.
     Link(LinkId),
     /// A coordinate of a further point of a link, in the link's frame.
     Local(LinkId, PointId, CoordinateAxis),
-    /// How far a point of a link is from the one that it is seen from, where it was given by length and angle.
+    /// The distance of a polar point of a link from its reference point.
     Arm(LinkId, PointId),
-    /// How far the angle of such a point takes it across that length.
+    /// The displacement of a polar point across its arm, due to its angle.
     Across(LinkId, PointId),
     /// A coordinate of a ground point.
     Ground(PointId, CoordinateAxis),
-    /// A coordinate of the point that a guide runs through, in the frame of what carries the guide,
-    /// where it is given by coordinates and not by a point's name.
+    /// A coordinate of the point through which a guide runs, in the frame of the guide's body.
+    /// Applies only if it is given by coordinates, not by a point's name.
     Through(SlideId, CoordinateAxis),
 }
 
 impl Length {
-    /// The element that the length belongs to.
+    /// Returns the element that the length belongs to.
     #[must_use]
     pub fn element(self) -> ElementId {
         match self {
@@ -63,10 +63,11 @@ impl Length {
 }
 
 impl Mechanism {
-    /// All given lengths: the ground's, the links' and the slides', each in the order of the file.
+    /// Returns all given lengths: the ground's, the links' and the slides', each in the order of
+    /// the file.
     ///
-    /// The place of a link's own origin is none: where `from` or what slides along a guide lies is how
-    /// the link's frame is defined.
+    /// The coordinates of a link's own origin are excluded: the position of `from`, or of the point
+    /// sliding along a guide, defines the link's frame.
     #[must_use]
     pub fn lengths(&self) -> Vec<Length> {
         let fixed = self.point_ids().filter(|&p| {
@@ -88,7 +89,8 @@ impl Mechanism {
         lengths
     }
 
-    /// The longest length of a link, or between its points, in the scene's unit; 1 where there is none.
+    /// Returns the maximum distance of a link's point from the link's origin, in the scene's unit;
+    /// 1 if there is none.
     pub fn reach(&self) -> f64 {
         let members = self.links().iter().flat_map(|link| &link.members);
         let longest = members
@@ -97,8 +99,8 @@ impl Mechanism {
         if longest > 0.0 { longest } else { 1.0 }
     }
 
-    /// How long a length is as it is given: of a coordinate its value, of what an angle takes a point across, how far
-    /// that point is.
+    /// Returns the value of a length as given: for a coordinate its value, for [`Length::Across`]
+    /// the length of the arm.
     #[must_use]
     pub fn given(&self, length: Length) -> f64 {
         let along = |place: Vec2, axis| match axis {
@@ -146,8 +148,8 @@ impl Mechanism {
         }
     }
 
-    /// By how much each of all lengths is longer in another mechanism of the same parts; `None` where that moves
-    /// otherwise for more: for an angle of a guide or of a point, or for how an input follows the driver.
+    /// Returns by how much each length is longer in `other`, a mechanism with the same elements.
+    /// Returns `None` if angles of guides or points, or the laws of further inputs, differ too.
     pub fn longer(&self, other: &Mechanism, lengths: &[Length]) -> Option<Vec<f64>> {
         let angles = |mechanism: &Mechanism| -> Vec<f64> {
             let guides = mechanism
@@ -168,7 +170,8 @@ impl Mechanism {
         same.then(|| by.collect())
     }
 
-    /// A given length; of [`Length::Across`] always 0, since it is counted from where the point lies.
+    /// Returns the value of a given length; always 0 for [`Length::Across`], which is measured from
+    /// the current position.
     fn measured(&self, length: Length) -> f64 {
         let on = |v: Vec2, axis: CoordinateAxis| match axis {
             CoordinateAxis::X => v.x,
@@ -194,7 +197,7 @@ impl Mechanism {
         }
     }
 
-    /// The same mechanism with another speed and acceleration of its driver.
+    /// Returns a copy of the mechanism with another speed and acceleration of its driver.
     pub(crate) fn at_speed(&self, speed: f64, acceleration: f64) -> Mechanism {
         let mut changed = self.clone();
         let parts = Arc::make_mut(&mut changed.parts);
@@ -203,8 +206,8 @@ impl Mechanism {
         changed
     }
 
-    /// The same mechanism with one length changed by so much; a guide that is named after a point goes
-    /// with it, and so do points that are seen from it.
+    /// Returns a copy of the mechanism with one length changed by `by`. Guides named after a moved
+    /// point and points measured from it move with it.
     #[must_use]
     pub fn changed(&self, length: Length, by: f64) -> Mechanism {
         let mut changed = Parts::clone(&self.parts);
@@ -234,7 +237,7 @@ impl Mechanism {
         }
     }
 
-    /// Of a length on a link: which point it moves, and how far per unit of length.
+    /// Returns the point that a length on a link moves, and its displacement per unit of length.
     fn way_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
         match length {
             Length::Link(link) => Some((link, self.link(link).ends?.1, Vec2::X)),
@@ -245,7 +248,8 @@ impl Mechanism {
         }
     }
 
-    /// In which direction a point by length and angle is seen, in the frame of its link.
+    /// Returns the direction of a polar point from its reference point, as a unit vector in the
+    /// link's frame.
     fn direction(&self, link: LinkId, point: PointId) -> Option<Vec2> {
         let polar = self.link(link).member(point)?.polar?;
         Some(crate::angle::unit(polar.angle))
@@ -253,8 +257,8 @@ impl Mechanism {
 }
 
 impl Mechanism {
-    /// What one length does to every given coordinate: the same mechanism with the derivatives by it in the
-    /// place of the coordinates.
+    /// Returns the derivatives of all given coordinates by one length, stored in place of the
+    /// coordinates of a copy of the mechanism.
     pub(crate) fn slopes(&self, length: Length) -> Mechanism {
         let mut flat = Parts::clone(&self.parts);
         let grounds = flat.points.iter_mut().filter_map(|p| p.ground.as_mut());
@@ -285,10 +289,10 @@ impl Parts {
         self.move_guides(Body::Link(link), point, by);
     }
 
-    /// Moves a point of a link and all that are seen from it, by as much.
+    /// Moves a point of a link and all points measured from it, by the same amount.
     fn move_seen(&mut self, link: LinkId, point: PointId, by: Vec2) {
         let mut moved = HashSet::from([point]);
-        // What others are seen from comes before them.
+        // Reference points precede the points measured from them.
         for member in &self.links[link.index()].members {
             let from = member.polar.and_then(|polar| polar.from);
             if from.is_some_and(|from| moved.contains(&from)) {
@@ -300,7 +304,7 @@ impl Parts {
         }
     }
 
-    /// Changes by what a point is seen.
+    /// Changes the polar place of a point and updates the link.
     fn turn_arm(&mut self, link: LinkId, point: PointId, change: impl FnOnce(&mut PolarPlace)) {
         let mut members = self.links[link.index()].members.iter_mut();
         let member = members.find(|member| member.point == point);
@@ -310,14 +314,14 @@ impl Parts {
         self.lay(link);
     }
 
-    /// Lays the points of a link that are given by length and angle anew, and takes guides along.
+    /// Recomputes the coordinates of a link's polar points and moves guides named after them.
     fn lay(&mut self, link: LinkId) {
         for (point, by) in self.links[link.index()].lay(self.decimals) {
             self.move_guides(Body::Link(link), point, by);
         }
     }
 
-    /// The guides of a body that are named after one of its points.
+    /// Moves the guides of a body that are named after one of its points.
     fn move_guides(&mut self, on: Body, point: PointId, by: Vec2) {
         for slide in &mut self.slides {
             if slide.on == on && slide.named == Some(point) {

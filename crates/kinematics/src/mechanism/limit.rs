@@ -1,51 +1,53 @@
-//! Limits: coordinates of a mechanism that stay between two stops.
+//! Defines limits: coordinates of a mechanism bounded by two stops.
 
 use super::{Body, Input, LinkId, SlideId, id};
 use crate::angle::TURN;
 
 id!(
-    /// A limit: a coordinate with a stop at each end.
+    /// The id of a limit: a coordinate with a stop at each end.
     LimitId
 );
 
-/// Turns that a driver may be held to, as a motion that comes round is told turn by turn.
+/// Maximum number of turns to which a driver may be limited, because reports list a repeating
+/// motion turn by turn.
 pub const MOST_TURNS: f64 = 1000.0;
 
-/// The coordinate that a limit holds.
+/// The coordinate that a limit bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LimitOf {
-    /// The driver's own.
+    /// The driver's coordinate.
     Driver,
     /// The position along a slide: the stroke of a cylinder, the length of a slot.
     Slide(SlideId),
-    /// The angle of a link as seen from a body.
+    /// The angle of a link relative to a body.
     Angle {
         /// The link.
         link: LinkId,
-        /// From where it is seen.
+        /// The body from which the angle is measured.
         from: Body,
     },
-    /// The driver's own, by the ends of the table of this input.
+    /// The driver's coordinate, bounded by the ends of this input's table.
     Table(Input),
 }
 
-/// A coordinate that stays between two stops: the motion ends where it meets one.
+/// A coordinate bounded by two stops: the motion ends where it meets one.
 ///
-/// Positions are in the scene's length unit, angles in degrees. An angle is followed along the motion from
-/// where the scene opens, at the turn at which it lies between the two.
+/// Positions are in the scene's length unit, angles in degrees. An angle is tracked along the
+/// motion from the start position, on the turn where it lies between the stops.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limit {
-    /// What is held.
+    /// The bounded coordinate.
     pub of: LimitOf,
-    /// Its least value.
+    /// Its minimum.
     pub low: f64,
-    /// Its greatest value.
+    /// Its maximum.
     pub high: f64,
 }
 
 impl Limit {
-    /// The ends are finite and in order; those of an angle are less than a turn apart, or going round would come to
-    /// the other side of a stop. A driver may turn more often.
+    /// Checks that the ends are finite and in order. An angle's ends must be less than a turn
+    /// apart, or a full turn would reach the other side of a stop. A driver may turn up to
+    /// `MOST_TURNS`.
     pub(super) fn is_sound(&self, input: Option<Input>) -> bool {
         let (fits, widest) = match self.of {
             LimitOf::Driver if matches!(input, Some(Input::Turn(_))) => (true, MOST_TURNS * TURN),

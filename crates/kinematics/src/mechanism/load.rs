@@ -1,21 +1,22 @@
-//! What acts on a mechanism besides gravity and inertia: loads, springs and presses.
+//! Defines loads, springs and presses: everything that acts on a mechanism besides gravity and
+//! inertia.
 
 use super::{Body, LinkId, PointId, SlideId};
 use crate::Vec2;
 use crate::angle::TURN;
 
-/// A value over a coordinate: straight lines between knots, constant beyond the ends. Two knots at one
-/// coordinate are a jump; at the very coordinate the value is that of the second, as behind it.
+/// A piecewise linear function of a coordinate, constant beyond its ends. Two knots at one
+/// coordinate are a jump; exactly there, the value is that of the second knot.
 ///
-/// Without knots it is 1 everywhere: a factor that changes nothing.
+/// Without knots it is 1 everywhere: a neutral factor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Profile {
     knots: Vec<[f64; 2]>,
 }
 
 impl Profile {
-    /// Through these knots, each a coordinate and its value; `None` unless the coordinates grow from
-    /// knot to knot, but for two of a jump, and all numbers are finite.
+    /// Creates a profile from knots of coordinate and value. Returns `None` if a number is not
+    /// finite, or if the coordinates do not increase; a jump may repeat one once.
     #[must_use]
     pub fn new(knots: Vec<[f64; 2]>) -> Option<Profile> {
         let rises = knots.windows(2).all(|pair| pair[0][0] <= pair[1][0]);
@@ -24,14 +25,14 @@ impl Profile {
         (grows && finite).then_some(Profile { knots })
     }
 
-    /// The knots, each a coordinate and its value.
+    /// Returns the knots, each a coordinate and its value.
     #[must_use]
     pub fn knots(&self) -> &[[f64; 2]] {
         &self.knots
     }
 
-    /// Whether it jumps behind one coordinate and not behind the other; one of a turned driver that spans whole
-    /// turns repeats.
+    /// Returns `true` if the profile jumps between two coordinates, ends included. With `turns`, a
+    /// profile that spans whole turns repeats.
     #[must_use]
     pub fn jumps_between(&self, low: f64, high: f64, turns: bool) -> bool {
         let span = match self.knots[..] {
@@ -54,7 +55,7 @@ impl Profile {
         jumps.map(|pair| pair[0][0]).any(passes)
     }
 
-    /// Whether it repeats: of a turned driver where it spans whole turns.
+    /// Returns `true` if the profile repeats: the driver turns and the knots span whole turns.
     fn repeats(&self, turns: bool) -> bool {
         let [first, .., last] = self.knots[..] else {
             return false;
@@ -63,13 +64,14 @@ impl Profile {
         turns && span > 0.0 && span % TURN == 0.0
     }
 
-    /// The coordinates of the knots that no place between two others depends on; none of one that repeats.
+    /// Returns the coordinates of the knots that have no effect between `low` and `high`; empty for
+    /// a repeating profile.
     #[must_use]
     pub fn unused_between(&self, low: f64, high: f64, turns: bool) -> Vec<f64> {
         if self.repeats(turns) {
             return Vec::new();
         }
-        // Before the first and behind the last knot it is constant.
+        // The profile is constant before the first knot and beyond the last.
         let at = |k: usize| self.knots.get(k).map_or(f64::INFINITY, |knot| knot[0]);
         let before = |k: usize| k.checked_sub(1).map_or(f64::NEG_INFINITY, at);
         let meets = |from: f64, to: f64| from < high && low < to;
@@ -78,7 +80,7 @@ impl Profile {
         unused.map(at).collect()
     }
 
-    /// Whether it is 1 everywhere.
+    /// Returns `true` if the profile is 1 everywhere.
     #[must_use]
     pub fn is_one(&self) -> bool {
         self.knots.is_empty()
@@ -88,95 +90,98 @@ impl Profile {
 /// An end of a slide's travel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StrokeEnd {
-    /// Where the position along the guide is least.
+    /// The minimum of the position along the guide.
     Least,
-    /// Where it is greatest.
+    /// The maximum of the position along the guide.
     Greatest,
 }
 
-/// Something that acts on the mechanism. Friction is not modelled.
+/// A load on the mechanism. Friction is not modelled.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Load {
     /// A force at a point.
     Force {
-        /// Where it acts. At a pin joint it acts on the pin.
+        /// The loaded point. At a pin joint, the force acts on the pin.
         point: PointId,
-        /// Its components in N, in the frame of `frame`.
+        /// The components in N, in the frame of `frame`.
         force: Vec2,
         /// The ground, or the link with which the force turns.
         frame: Body,
-        /// The factor over the driver's coordinate (deg, not wrapped, or the length unit). Where the
-        /// knots of a turned driver span whole turns, it repeats.
+        /// The factor over the driver's coordinate (degrees, not wrapped, or the length unit). For
+        /// a turned driver it repeats if the knots span whole turns.
         over: Profile,
     },
     /// A torque on a link.
     Torque {
         /// The loaded link.
         link: LinkId,
-        /// Its size in N m, counter-clockwise.
+        /// The torque in N m, counter-clockwise.
         torque: f64,
-        /// The factor over the driver's coordinate, as of a force.
+        /// The factor over the driver's coordinate, as for a force.
         over: Profile,
     },
-    /// What a press does before the end of its stroke: a force on what slides, against it along the guide,
-    /// while it moves towards that end. None on the way back; a driver of no speed is taken for one that
-    /// goes forward.
+    /// The resistance before the end of a press stroke: a force on the slider along the guide,
+    /// against its motion, while it moves towards that end. It is zero on the return stroke. A
+    /// driver with zero speed counts as moving forwards.
     Press {
-        /// The slide that presses, its guide on the ground.
+        /// The pressing slide. Its guide must be on the ground.
         slide: SlideId,
-        /// Which end it works at: bottom dead centre.
+        /// The end at which the press works: bottom dead centre.
         end: StrokeEnd,
-        /// The force in N over the distance from that end, in the scene's length unit; nothing
-        /// further away than the last knot.
+        /// The force in N over the distance from that end, in the scene's length unit; zero beyond
+        /// the last knot.
         curve: Profile,
     },
-    /// A spring and a damper in parallel between two points: together they pull with k (L - L0) + F0 + c dL/dt, where
-    /// k is the stiffness, L the distance and L0 the free length in m, F0 the preload and c the damping.
+    /// A spring and a damper in parallel between two points. Together they pull with k (L - L0) +
+    /// F0 + c dL/dt, where k is the stiffness, L the distance and L0 the free length in m, F0 the
+    /// preload and c the damping.
     Spring {
         /// One end.
         from: PointId,
         /// The other end.
         to: PointId,
-        /// In N/m.
+        /// The stiffness, in N/m.
         stiffness: f64,
-        /// The length at which only the preload acts, in the scene's length unit.
+        /// The free length, at which only the preload acts, in the scene's length unit.
         length: f64,
-        /// What it pulls with at that length, in N; negative where it pushes.
+        /// The pull at the free length, in N; negative if it pushes.
         preload: f64,
-        /// In N s/m, of the rate of the distance.
+        /// The damping in N s/m, by the rate of the distance.
         damping: f64,
     },
-    /// A gas spring between two points, and a damper beside it: they push with F(L) - c dL/dt.
+    /// A gas spring and a damper in parallel between two points: they push with F(L) - c dL/dt.
     GasSpring {
         /// One end.
         from: PointId,
         /// The other end.
         to: PointId,
-        /// With what it pushes the ends apart, in N, over their distance in the scene's length unit.
+        /// The force that pushes the ends apart, in N, over their distance in the scene's length
+        /// unit.
         force: Profile,
-        /// In N s/m, of the rate of the distance.
+        /// The damping in N s/m, by the rate of the distance.
         damping: f64,
     },
-    /// A torsion spring and a damper beside it, between two bodies: on the link acts M0 - k (a - a0) - c da/dt, where a
-    /// is the angle between them in radians.
+    /// A torsion spring and a damper in parallel between two bodies. On the link acts M0 - k (a -
+    /// a0) - c da/dt, where a is the angle between them in radians.
     TorsionSpring {
-        /// The link that it turns back.
+        /// The link on which the torque acts.
         link: LinkId,
-        /// What it is fixed to: the ground or another link.
+        /// The other body: the ground or another link.
         to: Body,
-        /// In N m/rad, of the angle between them from the free one: at most half a turn either way.
+        /// The stiffness in N m/rad, by the angle from the free angle, which is at most half a turn
+        /// in either direction.
         stiffness: f64,
         /// The free angle, from the x axis of `to` to that of the link, in degrees.
         angle: f64,
-        /// The torque upon the link at the free angle, in N m, counter-clockwise.
+        /// The torque on the link at the free angle, in N m, counter-clockwise.
         preload: f64,
-        /// In N m s/rad.
+        /// The damping, in N m s/rad.
         damping: f64,
     },
 }
 
 impl Load {
-    /// A force that is constant in the ground's frame.
+    /// Creates a force that is constant in the ground's frame.
     #[must_use]
     pub fn force(point: PointId, force: Vec2) -> Load {
         Load::Force {
@@ -187,7 +192,7 @@ impl Load {
         }
     }
 
-    /// A constant torque.
+    /// Creates a constant torque.
     #[must_use]
     pub fn torque(link: LinkId, torque: f64) -> Load {
         Load::Torque {
@@ -197,7 +202,7 @@ impl Load {
         }
     }
 
-    /// The two points between which it acts along their line: of springs.
+    /// Returns the two ends of a spring or gas spring, which acts along the line between them.
     #[must_use]
     pub fn ends(&self) -> Option<[PointId; 2]> {
         match *self {
@@ -209,7 +214,7 @@ impl Load {
         }
     }
 
-    /// The factor over the driver's coordinate: of forces and torques.
+    /// Returns the factor over the driver's coordinate, for forces and torques.
     #[must_use]
     pub fn over(&self) -> Option<&Profile> {
         match self {
@@ -221,7 +226,8 @@ impl Load {
         }
     }
 
-    /// Whether all its numbers are finite, and those that must be are not negative.
+    /// Returns `true` if all numbers are finite, those that must not be negative are not, and the
+    /// load acts on two different points or bodies.
     pub(super) fn is_sound(&self) -> bool {
         match self {
             Load::Force { force, .. } => force.is_finite(),
@@ -259,7 +265,7 @@ impl Load {
     }
 }
 
-/// Whether all of them are finite and not negative.
+/// Returns `true` if all numbers are finite and not negative.
 fn are_sizes(numbers: [f64; 3]) -> bool {
     numbers.iter().all(|v| v.is_finite() && *v >= 0.0)
 }

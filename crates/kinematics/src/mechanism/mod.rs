@@ -1,8 +1,9 @@
-//! The mechanism: points, links, slides and the driver, by typed ids. No names, no text, no I/O.
+//! Describes a mechanism: points, links, slides and the driver, by typed ids, without names, text
+//! or I/O.
 //!
-//! A [`Mechanism`] is immutable; [`Builder::build`] checks once what each element must be by itself
-//! (lengths, coordinates, references). What the elements are together - mobility, groups, whether
-//! the loops close - is the solver's to say.
+//! A [`Mechanism`] is immutable. [`Builder::build`] checks each element by itself, once: lengths,
+//! coordinates, references. The solver checks the elements together: mobility, groups and whether
+//! the loops close.
 
 mod builder;
 mod defect;
@@ -49,7 +50,7 @@ macro_rules! id {
                 $name(u32::try_from(index).unwrap_or(u32::MAX))
             }
 
-            /// The position in the mechanism's list.
+            /// Returns the position in the mechanism's list.
             #[inline]
             #[must_use]
             pub fn index(self) -> usize {
@@ -62,19 +63,19 @@ macro_rules! id {
 pub(crate) use id;
 
 id!(
-    /// A point: fixed in the ground, a joint, or riding on a link.
+    /// The id of a point: fixed in the ground, a joint, or riding on a link.
     PointId
 );
 id!(
-    /// A rigid moving link.
+    /// The id of a rigid moving link.
     LinkId
 );
 id!(
-    /// A slide: a guide and what moves along it.
+    /// The id of a slide: a guide and the pin or link that moves along it.
     SlideId
 );
 
-/// What something can be attached to.
+/// A body to which something can be attached.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Body {
     /// The fixed frame.
@@ -86,11 +87,13 @@ pub enum Body {
 /// A point of the mechanism.
 #[derive(Clone, Debug)]
 pub struct Point {
-    /// Its place in the fixed frame, if it is a ground point.
+    /// The position in the fixed frame, for a ground point.
     pub ground: Option<Vec2>,
-    /// The links that carry it: a pin joint if there are two, or one and the ground.
+    /// The links that carry the point. It is a pin joint with two links, or with one link and the
+    /// ground.
     pub links: Vec<LinkId>,
-    /// Whether it is a mark on the ground: nothing is held there, and its coordinates are no lengths.
+    /// Whether the point is a mark on the ground: it holds nothing, and its coordinates do not
+    /// count as lengths.
     pub is_mark: bool,
 }
 
@@ -99,59 +102,60 @@ pub struct Point {
 pub struct Member {
     /// The point.
     pub point: PointId,
-    /// Its local coordinates, in the scene's length unit.
+    /// The local coordinates, in the scene's length unit.
     pub local: Vec2,
-    /// The length and the angle that it was given by, if it was: the coordinates follow from these.
+    /// The length and angle from which the coordinates follow, for a point given in polar form.
     pub polar: Option<PolarPlace>,
 }
 
 /// A rigid link. Its local x axis is its direction.
 #[derive(Clone, Debug)]
 pub struct Link {
-    /// Its points, in the order given; the centre of mass among them if there is one.
+    /// The link's points in the order given, including the centre of mass if there is one.
     pub members: Vec<Member>,
-    /// The two natural ends (from, to) of a link that is a vector of the loop equation.
+    /// The two natural ends (from, to), for a link that is a vector of the loop equation.
     pub ends: Option<(PointId, PointId)>,
     /// The centre of mass.
     pub com: Option<PointId>,
-    /// Mass in kg.
+    /// The mass, in kg.
     pub mass: f64,
-    /// Moment of inertia about the centre of mass in kg m^2.
+    /// The moment of inertia about the centre of mass, in kg m^2.
     pub inertia: f64,
 }
 
 impl Link {
-    /// The local coordinates of one of the link's points.
+    /// Returns the local coordinates of one of the link's points, or `None` if the link does not
+    /// carry it.
     #[must_use]
     pub fn local(&self, point: PointId) -> Option<Vec2> {
         self.member(point).map(|m| m.local)
     }
 
-    /// One of the link's points, with all that is known of its place.
+    /// Returns the member for one of the link's points, or `None` if the link does not carry it.
     #[must_use]
     pub fn member(&self, point: PointId) -> Option<&Member> {
         self.members.iter().find(|m| m.point == point)
     }
 }
 
-/// What moves along a guide.
+/// The element that moves along a guide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Slider {
     /// A pin in a slot: free to turn.
     Pin(PointId),
-    /// A link that does not turn against the guide.
+    /// A link that does not rotate relative to the guide.
     Link {
         /// The sliding link.
         link: LinkId,
         /// The point at the link's origin, which stays on the guide.
         origin: PointId,
-        /// The direction of the link's x axis as seen from the guide's, in degrees.
+        /// The direction of the link's x axis relative to the guide's direction, in degrees.
         turn: f64,
     },
 }
 
 impl Slider {
-    /// The point that stays on the guide.
+    /// Returns the point that stays on the guide.
     #[must_use]
     pub fn point(&self) -> PointId {
         match *self {
@@ -161,26 +165,26 @@ impl Slider {
     }
 }
 
-/// A guide on a body, and what slides along it.
+/// A guide on a body, and the pin or link that slides along it.
 ///
-/// The position along the guide is counted from `through`, positive along `direction`.
+/// The position along the guide is measured from `through`, positive along `direction`.
 #[derive(Clone, Debug)]
 pub struct Slide {
-    /// What moves.
+    /// The moving element.
     pub slider: Slider,
     /// The body that carries the guide.
     pub on: Body,
     /// A point of the guide, in the frame of `on`.
     pub through: Vec2,
-    /// The point of `on` that `through` was named after, if it was: where that point lies, the guide
-    /// runs.
+    /// The point of `on` through which the guide was declared to run, if any. The guide moves with
+    /// this point.
     pub named: Option<PointId>,
     /// The guide's direction in the frame of `on`, in degrees from its x axis.
     pub angle: f64,
 }
 
 impl Slide {
-    /// The guide's direction in the frame of `on`: a unit vector.
+    /// Returns the guide's direction in the frame of `on`, as a unit vector.
     #[must_use]
     pub fn direction(&self) -> Vec2 {
         crate::angle::unit(self.angle)
@@ -190,8 +194,8 @@ impl Slide {
 /// The coordinate that the driver imposes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Input {
-    /// The direction of a link that turns about a ground point; of one that is turned against another link
-    /// ([`Builder::turned_from`]), its angle from that.
+    /// The direction of a link that turns about a ground point. For a link turned against another
+    /// link ([`Builder::turned_from`]), the angle from that link.
     Turn(LinkId),
     /// The position along a slide.
     Push(SlideId),
@@ -199,29 +203,29 @@ pub enum Input {
 
 /// The input of the mechanism.
 ///
-/// A turned link counts in degrees for `start`, rad/s and rad/s^2 for the rates; a pushed slide in
-/// the scene's length unit, per s and s^2.
+/// For a turned link, `start` is in degrees and the rates are in rad/s and rad/s^2. For a pushed
+/// slide, `start` is in the scene's length unit and the rates are per s and s^2.
 #[derive(Clone, Copy, Debug)]
 pub struct Driver {
-    /// What is driven.
+    /// The driven link or slide.
     pub input: Input,
     /// The coordinate at which the scene opens.
     pub start: f64,
-    /// Its rate.
+    /// The first time derivative of the coordinate.
     pub speed: f64,
-    /// The rate of its rate.
+    /// The second time derivative of the coordinate.
     pub acceleration: f64,
 }
 
-/// A planar mechanism that moves by one coordinate.
+/// A planar mechanism with one degree of freedom.
 ///
-/// It never changes, and is shared by whoever holds it: a clone copies no elements.
+/// It is immutable and shared: a clone copies no elements.
 #[derive(Clone, Debug)]
 pub struct Mechanism {
     parts: Arc<Parts>,
 }
 
-/// What a mechanism consists of.
+/// The elements and settings of a mechanism.
 #[derive(Clone, Debug)]
 struct Parts {
     points: Vec<Point>,
@@ -229,7 +233,7 @@ struct Parts {
     slides: Vec<Slide>,
     driver: Driver,
     timed: Vec<TimedInput>,
-    /// The links that inputs turn against others, and these.
+    /// The links that inputs turn against other links, each with that other link.
     turned_from: Vec<(LinkId, LinkId)>,
     start: Vec<(PointId, Vec2)>,
     loads: Vec<Load>,
@@ -245,115 +249,117 @@ struct Parts {
 }
 
 impl Mechanism {
-    /// Begins a mechanism in code.
+    /// Creates an empty builder.
     #[must_use]
     pub fn builder() -> Builder {
         Builder::default()
     }
 
-    /// All points, by [`PointId`].
+    /// Returns all points, indexed by [`PointId`].
     #[must_use]
     pub fn points(&self) -> &[Point] {
         &self.parts.points
     }
 
-    /// All links, by [`LinkId`].
+    /// Returns all links, indexed by [`LinkId`].
     #[must_use]
     pub fn links(&self) -> &[Link] {
         &self.parts.links
     }
 
-    /// All slides, by [`SlideId`].
+    /// Returns all slides, indexed by [`SlideId`].
     #[must_use]
     pub fn slides(&self) -> &[Slide] {
         &self.parts.slides
     }
 
-    /// The driver.
+    /// Returns the driver.
     #[must_use]
     pub fn driver(&self) -> &Driver {
         &self.parts.driver
     }
 
-    /// Rough positions of moving points at the opening; they choose the assembly.
+    /// Returns the approximate start positions of moving points, which select the assembly.
     #[must_use]
     pub fn start(&self) -> &[(PointId, Vec2)] {
         &self.parts.start
     }
 
-    /// The loads.
+    /// Returns the loads.
     #[must_use]
     pub fn loads(&self) -> &[Load] {
         &self.parts.loads
     }
 
-    /// The coordinates that stay between stops, by [`LimitId`].
+    /// Returns the coordinates limited by stops, indexed by [`LimitId`].
     #[must_use]
     pub fn limits(&self) -> &[Limit] {
         &self.parts.limits
     }
 
-    /// One of them.
+    /// Returns one limit.
     #[must_use]
     pub fn limit(&self, id: LimitId) -> &Limit {
         &self.parts.limits[id.index()]
     }
 
-    /// The ids of all limits.
+    /// Returns the ids of all limits.
     pub fn limit_ids(&self) -> impl Iterator<Item = LimitId> + use<> {
         (0..self.parts.limits.len()).map(LimitId::new)
     }
 
-    /// The acceleration of free fall in m/s^2.
+    /// Returns the acceleration of free fall, in m/s^2.
     #[must_use]
     pub fn gravity(&self) -> Vec2 {
         self.parts.gravity
     }
 
-    /// The metres of the unit of its lengths.
+    /// Returns the length unit, in metres.
     #[must_use]
     pub fn metres(&self) -> f64 {
         self.parts.metres
     }
 
-    /// By how much constraints that repeat others may disagree with them, in the scene's length unit: 0
-    /// where they may by rounding alone.
+    /// Returns the accepted disagreement of redundant constraints, in the scene's length unit. Zero
+    /// accepts rounding errors only.
     #[must_use]
     pub fn misfit(&self) -> f64 {
         self.parts.misfit
     }
 
-    /// Whether its driver's speed and acceleration were given in another unit and converted.
+    /// Returns `true` if the driver's speed and acceleration were converted from another unit.
     #[must_use]
     pub fn has_converted_rates(&self) -> bool {
         self.parts.converted_rates
     }
 
-    /// Whether its lengths and coordinates stand for the decimals that they were typed as.
+    /// Returns `true` if lengths and coordinates mean the decimals as typed, not the nearest
+    /// doubles.
     #[must_use]
     pub fn has_decimals(&self) -> bool {
         self.parts.decimals
     }
 
-    /// Whether all its numbers of up to 14 digits are the decimals that they read as: none was rounded to one.
+    /// Returns `true` if all numbers of up to 14 digits are the decimals that they read as, none of
+    /// them rounded.
     pub(crate) fn is_typed(&self) -> bool {
         self.parts.decimals && !self.parts.rounded
     }
 
-    /// The driver's speed and acceleration as they were typed, in twice the digits, where that is known.
+    /// Returns the driver's speed and acceleration as typed, in double-double, if known.
     pub(crate) fn typed_rates(&self) -> Option<[Double; 2]> {
         self.parts.typed_rates
     }
 
-    /// Whether anything acts on it: a load, a weight, or what resists being accelerated.
+    /// Returns `true` if a load acts or a link has a mass or an inertia.
     #[must_use]
     pub fn has_forces(&self) -> bool {
         let has_mass = |link: &Link| link.mass > 0.0 || link.inertia > 0.0;
         !self.parts.loads.is_empty() || self.parts.links.iter().any(has_mass)
     }
 
-    /// The joints of a link that a force can pass: pinned to another link or to the ground, or with a
-    /// pin that slides.
+    /// Returns the joints of a link that transmit a force: pinned to another link or to the ground,
+    /// or a pin in a slot.
     pub fn pins(&self, link: LinkId) -> impl Iterator<Item = PointId> + '_ {
         let is_pin = |point: PointId| {
             let given = self.point(point);
@@ -370,7 +376,7 @@ impl Mechanism {
         members.filter(move |&point| is_pin(point))
     }
 
-    /// The only other body at a pin of a link, where nothing but the two acts on the pin.
+    /// Returns the only other body at a pin of a link, or `None` if anything else acts on the pin.
     #[must_use]
     pub fn partner(&self, link: LinkId, point: PointId) -> Option<Body> {
         if self.is_loaded(point) || self.is_guided(point) {
@@ -385,28 +391,29 @@ impl Mechanism {
         }
     }
 
-    /// Whether a load acts on a point itself.
+    /// Returns `true` if a load acts on the point itself.
     fn is_loaded(&self, point: PointId) -> bool {
         let acts = |load: &Load| match *load {
             Load::Force { point: at, .. } => at == point,
             Load::Spring { from, to, .. } | Load::GasSpring { from, to, .. } => {
                 from == point || to == point
             }
-            // Of a link that slides it presses on the link.
+            // If a link slides, the press acts on the link.
             Load::Press { slide, .. } => self.slide(slide).slider == Slider::Pin(point),
             Load::Torque { .. } | Load::TorsionSpring { .. } => false,
         };
         self.loads().iter().any(acts)
     }
 
-    /// Whether a guide presses on a point, as on the pin in its slot; of a link that slides it holds the link.
+    /// Returns `true` if a guide acts on the point as a pin in its slot. For a sliding link, the
+    /// guide acts on the link instead.
     fn is_guided(&self, point: PointId) -> bool {
         let slides = |slide: &Slide| slide.slider == Slider::Pin(point);
         self.slides().iter().any(slides)
     }
 
-    /// Whether all that a link feels at a pin comes from the guides that the pin slides along: what these bear, and
-    /// what drives it along them, is that force.
+    /// Returns `true` if the whole force on a link at a pin comes from the pin's guides: their
+    /// reactions and the effort that drives the pin along them.
     #[must_use]
     pub fn is_guided_alone(&self, point: PointId) -> bool {
         let given = self.point(point);
@@ -414,8 +421,8 @@ impl Mechanism {
         alone && self.is_guided(point) && !self.is_loaded(point)
     }
 
-    /// Whether a point is of one moving link alone: no joint, not in a slot, and no guide runs through it because it is
-    /// there.
+    /// Returns `true` if a point belongs to one moving link only: it is no joint, is in no slot,
+    /// and no guide is named after it.
     #[must_use]
     pub fn is_free(&self, point: PointId) -> bool {
         let given = self.point(point);
@@ -423,25 +430,25 @@ impl Mechanism {
         given.ground.is_none() && given.links.len() == 1 && !self.slides().iter().any(slides)
     }
 
-    /// One point.
+    /// Returns one point.
     #[must_use]
     pub fn point(&self, id: PointId) -> &Point {
         &self.parts.points[id.index()]
     }
 
-    /// One link.
+    /// Returns one link.
     #[must_use]
     pub fn link(&self, id: LinkId) -> &Link {
         &self.parts.links[id.index()]
     }
 
-    /// One slide.
+    /// Returns one slide.
     #[must_use]
     pub fn slide(&self, id: SlideId) -> &Slide {
         &self.parts.slides[id.index()]
     }
 
-    /// The point by length and angle that a guide on a link was named after, if it was.
+    /// Returns the polar point of a link after which a guide was named, if any.
     pub(crate) fn polar_through(&self, slide: &Slide) -> Option<&Member> {
         let (Body::Link(link), Some(point)) = (slide.on, slide.named) else {
             return None;
@@ -450,23 +457,23 @@ impl Mechanism {
         member.filter(|member| member.polar.is_some())
     }
 
-    /// The ids of all points.
+    /// Returns the ids of all points.
     pub fn point_ids(&self) -> impl Iterator<Item = PointId> + use<> {
         (0..self.parts.points.len()).map(PointId::new)
     }
 
-    /// The ids of all links.
+    /// Returns the ids of all links.
     pub fn link_ids(&self) -> impl Iterator<Item = LinkId> + use<> {
         (0..self.parts.links.len()).map(LinkId::new)
     }
 
-    /// The ids of all slides.
+    /// Returns the ids of all slides.
     pub fn slide_ids(&self) -> impl Iterator<Item = SlideId> + use<> {
         (0..self.parts.slides.len()).map(SlideId::new)
     }
 }
 
-/// An element of a mechanism that a message is about.
+/// The element that a message refers to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ElementId {
     /// A point.

@@ -1,31 +1,34 @@
-//! Points of a link that are given by a length and an angle, as a drawing dimensions them.
+//! Computes the coordinates of points given by a length and an angle, as drawings dimension them.
 //!
-//! What was typed stays the measure of what is meant: the coordinates follow from it in twice the digits, and how far
-//! they can be off follows from how well the length and the angle are known.
+//! The typed values define the point. The coordinates follow from them in double-double, with an
+//! error bound that follows from the precision of the length and the angle.
 
 use super::{Link, Member, PointId};
 use crate::{Constant, Vec2};
 
-/// Where a point of a link lies, seen from another point of the same link.
+/// The place of a point in a link, in polar form relative to another point of the link.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PolarPlace {
-    /// The point from which it is seen; `None` is the origin of the link's frame.
+    /// The reference point; `None` is the origin of the link's frame.
     pub from: Option<PointId>,
-    /// Which member of the link that point is; `None` where it is none before this one.
+    /// The index of the reference point among the link's members; `None` if no earlier member is
+    /// that point.
     base: Option<usize>,
-    /// How far it is, in the scene's length unit.
+    /// The distance from the reference point, in the scene's length unit.
     pub length: f64,
-    /// In which direction, in degrees from the link's x axis, counter-clockwise.
+    /// The direction in degrees from the link's x axis, counter-clockwise.
     pub angle: f64,
-    /// The coordinates that follow, from the doubles that are stored and from the numbers that are meant.
+    /// The resulting coordinates: from the stored doubles (`given`) and from the numbers as meant
+    /// (`meant`).
     pub(super) given: Vec2<Constant>,
     pub(super) meant: Vec2<Constant>,
-    /// What long numbers in it can have been rounded by, as a distance.
+    /// A bound on the rounding of its long numbers, as a distance.
     pub(super) rounding: f64,
 }
 
 impl PolarPlace {
-    /// Of a further point of a link that has these members.
+    /// Creates the place of a further point of a link that has these members. The coordinates are
+    /// computed later.
     pub(super) fn new(
         from: Option<PointId>,
         length: f64,
@@ -44,7 +47,7 @@ impl PolarPlace {
         }
     }
 
-    /// Lays the point, seen from a member that is laid already.
+    /// Computes the coordinates, given the reference member with its own coordinates known.
     fn lay(&mut self, base: Option<&Member>, is_decimal: bool) {
         let origin = Vec2::ZERO.map(Constant::given);
         let given = base.map_or(origin, Member::given);
@@ -57,25 +60,27 @@ impl PolarPlace {
     }
 }
 
-/// The place that is seen from another one at a length and an angle in degrees, each known as it was given.
+/// Returns the position at a length and an angle in degrees from `base`, each number with its error
+/// bound as given.
 pub fn seen_from(base: Vec2<Constant>, length: f64, angle: f64) -> Vec2<Constant> {
     base + Constant::given_arm(length, angle)
 }
 
 impl Member {
-    /// Its coordinates as the doubles that are stored, and how far what was meant can be from them.
+    /// Returns the coordinates from the stored doubles, with a bound on how far the meant numbers
+    /// can be from them.
     pub(crate) fn given(&self) -> Vec2<Constant> {
         self.polar
             .map_or_else(|| self.local.map(Constant::given), |polar| polar.given)
     }
 
-    /// Its coordinates as they are meant.
+    /// Returns the coordinates as meant.
     pub(crate) fn meant(&self, is_decimal: bool) -> Vec2<Constant> {
         let typed = || Constant::meant(self.local, is_decimal);
         self.polar.map_or_else(typed, |polar| polar.meant)
     }
 
-    /// What long numbers that tell its place can have been rounded by, as a distance.
+    /// Returns a bound on the rounding of the long numbers that define the place, as a distance.
     pub(crate) fn rounding(&self, is_decimal: bool) -> f64 {
         let typed = || {
             let place = Constant::compared(self.local, is_decimal);
@@ -86,8 +91,8 @@ impl Member {
 }
 
 impl Link {
-    /// Puts every point that is given by length and angle where it belongs; those from which others are seen come
-    /// before them. Tells which were moved, and by how much.
+    /// Computes the coordinates of every polar point; reference points precede the points measured
+    /// from them. Returns the polar points with their displacements.
     pub(super) fn lay(&mut self, is_decimal: bool) -> Vec<(PointId, Vec2)> {
         let mut moved = Vec::new();
         for i in 0..self.members.len() {
@@ -100,7 +105,7 @@ impl Link {
             };
             let base = polar.base.and_then(|base| before.get(base));
             if polar.from.is_some() && base.is_none() {
-                // Seen from nowhere: no number, which the builder refuses.
+                // A missing reference point gives NaN, which the builder rejects.
                 member.local = Vec2::new(f64::NAN, f64::NAN);
                 continue;
             }
@@ -118,7 +123,7 @@ mod tests {
     use super::*;
     use crate::Double;
 
-    /// A link with a point at its end, and one that is seen from there.
+    /// Returns a polar point whose reference point is the end of its link.
     fn seen_at(length: f64, angle: f64) -> Member {
         let mut link = Link {
             members: Vec::new(),

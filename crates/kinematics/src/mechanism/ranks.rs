@@ -1,9 +1,10 @@
-//! The order in which links and points are taken where the structure leaves it open: not the order of a file.
+//! Ranks links and points by name, for choices that the structure leaves open, so that they do not
+//! depend on the order of a file.
 
 use super::{LinkId, Mechanism, PointId};
 use std::sync::Arc;
 
-/// The rank of every link and of every point; none where they are taken in the order in which they were given.
+/// The rank of every link and point. Empty lists mean the order in which the elements were given.
 #[derive(Clone, Debug, Default)]
 pub(super) struct NameRanks {
     links: Vec<usize>,
@@ -11,7 +12,8 @@ pub(super) struct NameRanks {
 }
 
 impl Mechanism {
-    /// Ranks links by their names, and points by the first of their links and then by their names.
+    /// Ranks links by their names, and points by the lowest-ranked of their links and then by their
+    /// names.
     #[must_use]
     pub fn ranked(self, links: &[impl Ord], points: &[impl Ord]) -> Mechanism {
         let links = ranks(links.len(), |link| &links[link]);
@@ -24,20 +26,20 @@ impl Mechanism {
         Mechanism { parts }
     }
 
-    /// The place of a link in the order that does not depend on that of a file.
+    /// Returns the rank of a link, which does not depend on the order of the file.
     pub fn link_rank(&self, link: LinkId) -> usize {
         let ranks = &self.parts.ranks.links;
         ranks.get(link.index()).copied().unwrap_or(link.index())
     }
 
-    /// The place of a point in that order.
+    /// Returns the rank of a point, which does not depend on the order of the file.
     pub(crate) fn point_rank(&self, point: PointId) -> usize {
         let ranks = &self.parts.ranks.points;
         ranks.get(point.index()).copied().unwrap_or(point.index())
     }
 }
 
-/// The place of each of so many in the order of their keys.
+/// Returns the rank of each of `count` items in the order of their keys.
 fn ranks<K: Ord>(count: usize, key: impl Fn(usize) -> K) -> Vec<usize> {
     let mut order: Vec<usize> = (0..count).collect();
     order.sort_by_key(|&i| key(i));

@@ -1,49 +1,51 @@
-//! Smooth curves through knots: cubics between each two, whose values, slopes and second derivatives go on from one
-//! to the next.
+//! Interpolates knots by cubic splines: piecewise cubics with continuous values, slopes and second
+//! derivatives.
 //!
-//! With M the second derivatives at the knots, h the widths and d the slopes of the chords, the slopes agree where
-//! h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (d1 - d0).
+//! With M the second derivatives at the knots, h the widths and d the slopes of the chords, the
+//! slopes are continuous if h0 M0 + 2 (h0 + h1) M1 + h1 M2 = 6 (d1 - d0).
 
 use crate::{Constant, Number};
 
-/// A curve at rest at both ends: the cubic spline that is clamped there.
+/// A clamped cubic spline: its slope is zero at both ends.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClampedSpline {
     curve: Spline,
 }
 
 impl ClampedSpline {
-    /// Through these knots; `None` for fewer than two, and where their places do not grow.
+    /// Creates a spline through the knots. Returns `None` for fewer than two, if their positions do
+    /// not increase, or if a number is not finite.
     #[must_use]
     pub fn new(knots: Vec<[f64; 2]>) -> Option<ClampedSpline> {
         let curve = Spline::new(knots, SplineEnds::AtRest)?;
         Some(ClampedSpline { curve })
     }
 
-    /// The first knot and the last.
+    /// Returns the first and the last knot.
     #[must_use]
     pub fn ends(&self) -> [[f64; 2]; 2] {
         self.curve.ends()
     }
 
-    /// The knots, each a place and the value there.
+    /// Returns the knots, each a position and the value there.
     #[must_use]
     pub fn knots(&self) -> &[[f64; 2]] {
         self.curve.knots()
     }
 
-    /// The value at a place, and its first two derivatives; beyond an end those of that end.
+    /// Returns the value and its first two derivatives at a position; beyond an end, those at that
+    /// end.
     #[must_use]
     pub fn at(&self, place: f64) -> [f64; 3] {
         self.curve.at(place)
     }
 
-    /// The places at which the slope is 0, in order.
+    /// Returns the positions where the slope is 0, in order.
     pub fn turns(&self) -> Vec<f64> {
         self.curve.turns()
     }
 
-    /// Where each of its cubics begins, and its terms, from the knots as they were typed.
+    /// Returns the beginning and the coefficients of each cubic, computed from the knots as typed.
     pub(super) fn cubics(&self) -> Vec<(Constant, [Constant; 4])> {
         let knots = self.curve.knots.iter();
         let knots: Vec<[Constant; 2]> = knots.map(|knot| knot.map(Constant::given)).collect();
@@ -61,32 +63,33 @@ impl ClampedSpline {
         cubics
     }
 
-    /// The greatest sizes of the slope and of the second derivative.
+    /// Returns the maximum magnitudes of the slope and of the second derivative.
     pub(super) fn steepest(&self) -> [f64; 2] {
         self.curve.steepest()
     }
 }
 
-/// How a curve through knots begins and ends.
+/// The end conditions of a spline.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum SplineEnds {
-    /// With no slope.
+    /// Zero slope at both ends.
     AtRest,
-    /// The end goes on as the beginning does.
+    /// Periodic: slopes and second derivatives agree at both ends.
     Closed,
 }
 
-/// Cubics through knots.
+/// A cubic spline through knots.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Spline {
-    /// Where, and the value there.
+    /// The positions and the values there.
     knots: Vec<[f64; 2]>,
     /// The second derivatives at the knots.
     bends: Vec<f64>,
 }
 
 impl Spline {
-    /// Through these knots; `None` for fewer than two, and where their places do not grow.
+    /// Creates a spline through the knots. Returns `None` for fewer than two, if their positions do
+    /// not increase, or if a number is not finite.
     pub(crate) fn new(knots: Vec<[f64; 2]>, ends: SplineEnds) -> Option<Spline> {
         let grow = knots.windows(2).all(|pair| pair[0][0] < pair[1][0]);
         let is_sound = knots.len() > 1 && grow && knots.iter().flatten().all(|x| x.is_finite());
@@ -96,22 +99,23 @@ impl Spline {
         })
     }
 
-    /// Where, and the value there: at least two.
+    /// Returns the knots, each a position and the value there: at least two.
     pub(crate) fn knots(&self) -> &[[f64; 2]] {
         &self.knots
     }
 
-    /// The second derivatives at the knots.
+    /// Returns the second derivatives at the knots.
     pub(crate) fn bends(&self) -> &[f64] {
         &self.bends
     }
 
-    /// The first knot and the last.
+    /// Returns the first and the last knot.
     pub(crate) fn ends(&self) -> [[f64; 2]; 2] {
         [self.knots[0], self.knots[self.knots.len() - 1]]
     }
 
-    /// The value at a place, and its first two derivatives; beyond an end those of that end.
+    /// Returns the value and its first two derivatives at a position; beyond an end, those at that
+    /// end.
     pub(crate) fn at(&self, place: f64) -> [f64; 3] {
         let last = self.knots.len() - 1;
         let place = place.clamp(self.knots[0][0], self.knots[last][0]);
@@ -130,7 +134,7 @@ impl Spline {
         ]
     }
 
-    /// The cubics, each from where to where.
+    /// Returns the cubics in order.
     fn parts(&self) -> impl Iterator<Item = SplinePart> {
         let bends = self.bends.windows(2);
         self.knots.windows(2).zip(bends).map(|(knots, bends)| {
@@ -140,7 +144,7 @@ impl Spline {
                 begin,
                 length: h,
                 bends: [bends[0], bends[1]],
-                // Of the slope over the part b of the way: a polynomial of degree 2.
+                // Coefficients of the slope as a quadratic in the fraction b of the width.
                 slope: [
                     (high - low) / h - (2.0 * bends[0] + bends[1]) * h / 6.0,
                     bends[0] * h,
@@ -150,15 +154,15 @@ impl Spline {
         })
     }
 
-    /// The places at which the slope is 0, in order.
+    /// Returns the positions where the slope is 0, in order.
     fn turns(&self) -> Vec<f64> {
         self.parts().flat_map(|part| part.turns()).collect()
     }
 
-    /// The greatest sizes of the slope and of the second derivative.
+    /// Returns the maximum magnitudes of the slope and of the second derivative.
     fn steepest(&self) -> [f64; 2] {
         let sizes = self.parts().flat_map(|part| {
-            // The slope is largest at an end, or where it does not change.
+            // The slope is largest at an end or where the second derivative is zero.
             let [first, second] = part.bends;
             let level = first / (first - second);
             let inside = Some(level).filter(|b| (0.0..1.0).contains(b));
@@ -170,7 +174,7 @@ impl Spline {
     }
 }
 
-/// One cubic of it.
+/// One cubic of a spline.
 struct SplinePart {
     begin: f64,
     length: f64,
@@ -180,16 +184,16 @@ struct SplinePart {
 }
 
 impl SplinePart {
-    /// The slope after the part b of its length.
+    /// Returns the slope at the fraction `b` of the width.
     fn slope_at(&self, b: f64) -> f64 {
         let [c, d, e] = self.slope;
         c + b * (d + b * e)
     }
 
-    /// Where the slope is 0.
+    /// Returns the positions where the slope is 0.
     fn turns(&self) -> impl Iterator<Item = f64> + use<> {
         let ([c, d, e], begin, length) = (self.slope, self.begin, self.length);
-        // Without a difference of equals.
+        // Avoids cancellation in the quadratic formula.
         let q = -0.5 * (d + (d * d - 4.0 * e * c).sqrt().copysign(d));
         let mut roots = [q / e, c / q];
         roots.sort_by(f64::total_cmp);
@@ -198,7 +202,8 @@ impl SplinePart {
     }
 }
 
-/// The terms c0 + c1 d + c2 d^2 + c3 d^3 of the way d from the first of two knots, with the second derivatives there.
+/// Returns the coefficients c0 + c1 d + c2 d^2 + c3 d^3 of the cubic between two knots, with d
+/// measured from the first knot. `first` and `second` are the second derivatives at the knots.
 pub(crate) fn cubic<T: Number>(
     [[begin, low], [end, high]]: [[T; 2]; 2],
     [first, second]: [T; 2],
@@ -210,7 +215,7 @@ pub(crate) fn cubic<T: Number>(
     [low, slope, first.scaled(0.5), third]
 }
 
-/// The second derivatives at the knots, of which there are two at least.
+/// Returns the second derivatives at the knots, of which there must be at least two.
 pub(crate) fn bends<T: Number>(knots: &[[T; 2]], ends: SplineEnds) -> Vec<T> {
     let pairs = || knots.windows(2);
     let widths: Vec<T> = pairs().map(|pair| pair[1][0] - pair[0][0]).collect();
@@ -224,7 +229,8 @@ pub(crate) fn bends<T: Number>(knots: &[[T; 2]], ends: SplineEnds) -> Vec<T> {
     }
 }
 
-/// Beyond both ends the chord is level, and has no width.
+/// Solves for the second derivatives with zero slope at both ends: beyond them, the chord has slope
+/// and width zero.
 fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let last = widths.len();
     let before = |of: &[T], k: usize| if k > 0 { of[k - 1] } else { T::default() };
@@ -237,8 +243,9 @@ fn bends_at_rest<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     solved(rows.collect())
 }
 
-/// The last knot is the first: with s the second derivative there those of the others are u + s v, and the slopes
-/// agree there too.
+/// Solves for the second derivatives of a periodic spline, whose last knot is the first. With s the
+/// second derivative there, those of the other knots are u + s v; s follows from equal slopes at
+/// the seam.
 fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     let count = widths.len();
     let row = |k: usize, side: T| BendRow {
@@ -272,15 +279,15 @@ fn bends_around<T: Number>(widths: &[T], rises: &[T]) -> Vec<T> {
     u.iter().zip(&v).map(|(&u, &v)| u + s * v).collect()
 }
 
-/// A row of symmetric equations, each with its neighbours.
+/// A row of a symmetric tridiagonal system.
 struct BendRow<T> {
     pivot: T,
-    /// What stands beside the next unknown, and in the next row beside this one.
+    /// The coefficient of the next unknown in this row, and of this unknown in the next row.
     next: T,
     side: T,
 }
 
-/// From top to bottom, row by row: of each its pivot and its right side, less what stands above.
+/// Solves a symmetric tridiagonal system by elimination from top to bottom and back substitution.
 fn solved<T: Number>(mut rows: Vec<BendRow<T>>) -> Vec<T> {
     for k in 1..rows.len() {
         let BendRow { pivot, next, side } = rows[k - 1];

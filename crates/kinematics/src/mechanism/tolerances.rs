@@ -1,19 +1,20 @@
-//! How far the lengths of a mechanism may be off when it is made, and how loose its pins are.
+//! Defines manufacturing tolerances of lengths and clearances of pins.
 
 use super::{Length, LinkId, PointId};
 
-/// What may be off, and by how much; what is not named is exact.
+/// The tolerances of a mechanism; all other lengths are exact.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tolerances {
-    /// Lengths, each as much longer or shorter at the most, in the scene's unit.
+    /// Lengths with the maximum deviation of each in either direction, in the scene's unit.
     pub lengths: Vec<(Length, f64)>,
-    /// Pins, each at a point of a link: how far from the middle of its hole it can be, in any direction. A pin that
-    /// joins several links is fixed in one of them, and has one for each of the others.
+    /// Pins, each at a point of a link, with the maximum distance from the centre of its hole, in
+    /// any direction. A pin that joins several links is fixed in one of them and has one entry for
+    /// each of the others.
     pub clearances: Vec<(LinkId, PointId, f64)>,
 }
 
 impl Tolerances {
-    /// Whether everything is exact.
+    /// Returns `true` if all deviations are zero.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         let lengths = self.lengths.iter().map(|&(_, by)| by);

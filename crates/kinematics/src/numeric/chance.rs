@@ -1,7 +1,7 @@
-//! Chance that is the same for the same seed, on every machine and in every version.
+//! Generates pseudorandom numbers, reproducible from a seed on every machine and in every version.
 
-/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014): exercises and samples
-/// of a seed hang on it, so that it must never change.
+/// SplitMix64 generator (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
+/// 2014). Exercises and samples depend on its sequence, so it must never change.
 #[derive(Clone, Debug)]
 pub struct SeededChance(u64);
 
@@ -17,34 +17,35 @@ impl SeededChance {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number from `low` to `high`, both among them; `low` where there is none between.
+    /// Returns an integer from `low` to `high` inclusive; `low` if `high` is less.
     pub fn between(&mut self, low: u32, high: u32) -> u32 {
         let count = u64::from(high.saturating_sub(low)) + 1;
-        // The remainder is below 2^32, and favours no number by more than 2^-31.
+        // The range is at most 2^32, so the remainder's bias is below 2^-31.
         let above = u32::try_from(self.next() % count).unwrap_or(0);
         low.saturating_add(above)
     }
 
-    /// A number from -1 to 1, all as likely.
+    /// Returns a number from -1 to 1, uniformly distributed.
     pub fn even(&mut self) -> f64 {
-        // The 53 bits of a double below 1.
+        // Takes the top 53 bits as a double below 1.
         let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         2.0 * part - 1.0
     }
 
-    /// Returns a random number from `low` to `high`.
+    /// Returns two numbers of the standard normal distribution by Marsaglia's polar method, which
+    /// needs no platform-dependent sine.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + 0.5 * (1.0 + self.even()) * (high - low)
     }
 
-    /// Two numbers of the standard normal distribution, by Marsaglia's polar method: no sine of the machine's own.
     pub fn normal(&mut self) -> [f64; 2] {
         let ([x, y], square) = self.in_disc();
         let scale = (-2.0 * square.ln() / square).sqrt();
         [x * scale, y * scale]
     }
 
-    /// A place in the unit disc, all as likely, and the square of its distance from the middle, which it is not.
+    /// Returns a point uniformly distributed in the unit disc and the square of its distance from
+    /// the centre. The centre itself is excluded.
     pub fn in_disc(&mut self) -> ([f64; 2], f64) {
         loop {
             let place = [self.even(), self.even()];
@@ -55,7 +56,7 @@ impl SeededChance {
         }
     }
 
-    /// One of several, if there are any.
+    /// Returns a random element, or `None` if there are none.
     pub fn one_of<'a, T>(&mut self, all: &'a [T]) -> Option<&'a T> {
         let last = u32::try_from(all.len().checked_sub(1)?).ok()?;
         all.get(usize::try_from(self.between(0, last)).ok()?)

@@ -1,32 +1,34 @@
-//! A smooth function on an interval, as a sum of Chebyshev polynomials.
+//! Approximates a smooth function on an interval by a sum of Chebyshev polynomials.
 //!
-//! On its piece a function f is c0 T0(t) + c1 T1(t) + ... with t from -1 to 1, through its values at the
-//! zeros of T24. These never include the ends of the piece, where a load may jump. How small the last
-//! terms are tells how well the sum stands for the function (Trefethen 2013, Approximation Theory and
-//! Approximation Practice, chapters 3 and 8); integral, slope and places of a sum follow from its terms,
-//! and cost no state of the mechanism.
+//! On its interval a function f is c0 T0(t) + c1 T1(t) + ... with t from -1 to 1, interpolated at
+//! the zeros of T24. These never include the ends of the interval, where a load may jump. The size
+//! of the last terms indicates how well the sum approximates the function (Trefethen 2013,
+//! Approximation Theory and Approximation Practice, chapters 3 and 8). The integral, slope and
+//! extrema of a sum follow from its terms, without solving further states of the mechanism.
 
 use super::roots;
 use std::f64::consts::PI;
 
-/// Terms of a sum, and places at which a piece is solved.
+/// Number of terms of a sum, and of nodes at which an interval is solved.
 pub const TERMS: usize = 24;
-/// The last terms, by which the rest is judged: of an even function every other one is 0.
+/// Number of last terms that estimate the truncation error: in an even function, every second term
+/// is 0.
 const LAST: usize = 4;
-/// A sum is searched for the places where it turns between so many neighbours.
+/// Number of subintervals in which a sign change is searched.
 const LOOKS: u32 = 64;
-/// The last terms are rounding where they are not this much smaller than those a quarter of the way on.
+/// The last terms count as rounding errors unless they are smaller than the terms at a quarter by
+/// this factor.
 const FLAT: f64 = 0.5;
 
-/// The places of a piece, and what makes terms of the values there.
+/// The nodes of an interval, and the cosines that turn values there into terms.
 pub struct Basis {
-    /// t of every place.
+    /// The value of t at every node.
     pub places: [f64; TERMS],
-    /// cos of a multiple of pi / 48.
+    /// The cosines of the multiples of pi / 48.
     cosines: [f64; 4 * TERMS],
 }
 
-/// A sum of Chebyshev polynomials, by the coefficients of T0, T1, ...
+/// A sum of Chebyshev polynomials, given by the coefficients of T0, T1, ...
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChebyshevSum(pub [f64; TERMS]);
 
@@ -46,7 +48,7 @@ impl Basis {
         }
     }
 
-    /// The sum through these values at the places.
+    /// Returns the sum that interpolates these values at the nodes.
     pub fn through(&self, values: &[f64; TERMS]) -> ChebyshevSum {
         ChebyshevSum(std::array::from_fn(|k| {
             let cosine = |j: usize| self.cosines[(k * (2 * j + 1)) % (4 * TERMS)];
@@ -58,7 +60,7 @@ impl Basis {
 }
 
 impl ChebyshevSum {
-    /// The value at t, by Clenshaw's recurrence.
+    /// Returns the value at t, by Clenshaw's recurrence.
     pub fn at(&self, t: f64) -> f64 {
         let (mut b1, mut b2) = (0.0, 0.0);
         for &c in self.0[1..].iter().rev() {
@@ -67,7 +69,7 @@ impl ChebyshevSum {
         self.0[0] + t * b1 - b2
     }
 
-    /// The derivative by t.
+    /// Returns the derivative by t.
     pub fn slope(&self) -> ChebyshevSum {
         let mut slope = [0.0; TERMS];
         for k in (1..TERMS).rev() {
@@ -78,7 +80,8 @@ impl ChebyshevSum {
         ChebyshevSum(slope)
     }
 
-    /// The integral by t from -1; without its highest term, which is a 48th of the last one here.
+    /// Returns the integral by t from -1. It omits the highest term, which is 1/48 of the last term
+    /// here.
     pub fn integral(&self) -> ChebyshevSum {
         let c = &self.0;
         let mut integral: [f64; TERMS] = std::array::from_fn(|k| {
@@ -98,9 +101,9 @@ impl ChebyshevSum {
         ChebyshevSum(integral)
     }
 
-    /// The integral of the product with another sum, by t from -1 to 1.
+    /// Returns the integral of the product with another sum, by t from -1 to 1.
     pub fn product(&self, other: &ChebyshevSum) -> f64 {
-        // Tm Tn is half of T(m + n) + T(m - n), and only even ones have an integral: 2 / (1 - k^2).
+        // Tm Tn = (T(m + n) + T(m - n)) / 2. Only even ones have a nonzero integral: 2 / (1 - k^2).
         let even = |k: usize| 2.0 / (1.0 - (k * k) as f64);
         let mut whole = 0.0;
         for (m, a) in self.0.iter().enumerate() {
@@ -111,44 +114,48 @@ impl ChebyshevSum {
         whole
     }
 
-    /// The sum less a number.
+    /// Subtracts a constant.
     pub fn less(mut self, offset: f64) -> ChebyshevSum {
         self.0[0] -= offset;
         self
     }
 
-    /// The largest of the terms, by which values are measured.
+    /// Returns the maximum magnitude of all terms, as a measure of the function's size.
     pub fn size(&self) -> f64 {
         largest(&self.0)
     }
 
-    /// The largest of the last terms: what the sum is off by is of this size.
+    /// Returns the maximum magnitude of the last terms, which estimates the error of the sum.
     pub fn tail(&self) -> f64 {
         largest(&self.0[TERMS - LAST..])
     }
 
-    /// The largest of the terms after a third of them. Those of a smooth function fall as a geometric series
-    /// does, so that the last ones are smaller by the cube; as told by [`ChebyshevSum::tail`] they end in rounding.
+    /// Returns the maximum magnitude of the terms following the first third.
+    ///
+    /// The terms of a smooth function fall geometrically, so that the last ones are about the cube
+    /// of this. They cannot be measured directly by [`ChebyshevSum::tail`], because they end in
+    /// rounding errors.
     pub(crate) fn third(&self) -> f64 {
         let third = TERMS / 3;
         largest(&self.0[third..third + LAST])
     }
 
-    /// Whether the terms no longer become smaller: what is left is rounding, or waves much shorter than
-    /// the piece.
+    /// Returns `true` if the terms no longer decrease: the rest is rounding errors or waves much
+    /// shorter than the interval.
     pub fn is_flat(&self) -> bool {
         let early = TERMS / 4;
         self.tail() >= FLAT * largest(&self.0[early..early + LAST])
     }
 
-    /// Where the sum turns, from the lower to the upper end.
+    /// Returns the extrema of the sum, in ascending order.
     pub fn turns(&self) -> Vec<f64> {
         let slope = self.slope();
         crossings(|t| slope.at(t))
     }
 
-    /// Where the sum changes its sign, from the lower to the upper end; `turns` are its own: between them
-    /// it goes one way, so that no zero is missed, not even two close together.
+    /// Returns the zeros at which the sum changes its sign, in ascending order. `turns` are the
+    /// sum's own extrema: it is monotonic between them, so that even two close zeros are both
+    /// found.
     pub fn zeros(&self, turns: &[f64]) -> Vec<f64> {
         let ends = [-1.0].into_iter().chain(turns.iter().copied()).chain([1.0]);
         roots(ends, f64::EPSILON, |t| Some(self.at(t)))
@@ -159,7 +166,7 @@ fn largest(terms: &[f64]) -> f64 {
     terms.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
-/// Where a function of the sums changes its sign between -1 and 1.
+/// Returns the points between -1 and 1 where a function of the sums changes its sign.
 pub fn crossings(f: impl Fn(f64) -> f64) -> Vec<f64> {
     let place = |k: u32| -(PI * f64::from(k) / f64::from(LOOKS)).cos();
     roots((0..=LOOKS).map(place), f64::EPSILON, |t| Some(f(t)))

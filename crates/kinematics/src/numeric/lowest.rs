@@ -1,33 +1,33 @@
-//! The minimum of a function around a place, by values alone.
+//! Finds the minimum of a function near a point, from values alone.
 
 use thiserror::Error;
 
-/// So many values are looked at, at the most; a dozen is usual.
+/// Maximum number of evaluations; a dozen is usual.
 const MOST_STEPS: usize = 60;
-/// The share of the larger part at which a golden section cuts.
+/// Fraction of the larger part at which a golden section divides it.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
-/// Why a minimum was not found, with the lowest place that was seen and its value.
+/// The reason why the search failed, with the lowest point found and its value.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum Unsettled {
-    /// On the way the function does not exist.
+    /// The function does not exist at a point of the search.
     #[error("the function does not exist at {at}")]
     Gap {
-        /// Where it was asked for.
+        /// The point at which the function does not exist.
         at: f64,
-        /// The lowest that was seen.
+        /// The lowest point found and its value.
         best: (f64, f64),
     },
-    /// So many steps were not enough.
+    /// The maximum number of steps was not enough.
     #[error("{MOST_STEPS} steps are not enough")]
     Spent {
-        /// The lowest that was seen.
+        /// The lowest point found and its value.
         best: (f64, f64),
     },
 }
 
 impl Unsettled {
-    /// The lowest place that was seen, with its value.
+    /// Returns the lowest point found and its value.
     pub fn best(self) -> (f64, f64) {
         match self {
             Unsettled::Gap { best, .. } | Unsettled::Spent { best } => best,
@@ -35,15 +35,16 @@ impl Unsettled {
     }
 }
 
-/// The place between `low` and `high` at which `f` is smallest, and its value there; `first` is a place
-/// between with its value, below those of both ends.
+/// Finds the minimum of `f` between `low` and `high`, and returns its position and value. `first`
+/// is an interior point with its value, which must be below the values at both ends.
 ///
-/// Brent's method without derivatives (Brent 1973, Algorithms for Minimization, chapter 5): parabolas
-/// through the best three places, and golden sections where those do not get on. A value is found to
-/// its rounding; the place only to about the square root of that, since a smooth figure is level there.
+/// Uses Brent's method without derivatives (Brent 1973, Algorithms for Minimization, chapter 5):
+/// parabolas through the best three points, and golden sections where parabolas make no progress.
+/// The value is found to its rounding error. The position is accurate only to about the square root
+/// of that, because a smooth function is flat at its minimum.
 ///
 /// # Errors
-/// Where the search came to no end: see [`Unsettled`].
+/// If the search does not converge: see [`Unsettled`].
 pub fn lowest(
     mut f: impl FnMut(f64) -> Option<f64>,
     [mut low, mut high]: [f64; 2],
@@ -102,7 +103,7 @@ pub fn lowest(
     Err(Unsettled::Spent { best })
 }
 
-/// Where the parabola through three places is level.
+/// Returns the vertex of the parabola through three points.
 fn vertex(a: (f64, f64), b: (f64, f64), c: (f64, f64)) -> Option<f64> {
     let r = (a.0 - b.0) * (a.1 - c.1);
     let q = (a.0 - c.0) * (a.1 - b.1);

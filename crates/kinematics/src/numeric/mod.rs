@@ -1,7 +1,7 @@
-//! Functions of one variable: where they are nought, and where they turn.
+//! Finds roots and extrema of functions of one variable.
 //!
-//! Dead centres, extrema, peaks and limits are all found here. A function is asked for at a place and
-//! answers `None` where it does not exist; what it stands for, nobody here knows.
+//! Dead centres, extrema, peaks and limits are all found here. A function is evaluated at a point
+//! and returns `None` if it does not exist there. This module does not know its meaning.
 //!
 //! ```text
 //! root       the root between two places where the signs differ, and all roots along many places
@@ -12,8 +12,9 @@
 //! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
 //! ```
 //!
-//! Where a function is smooth and its slope is known, an extremum is a root of the slope, and as good as
-//! any root; from values alone its place is known to half of the digits, since a function is level there.
+//! If a function is smooth and its slope is known, an extremum is a root of the slope, and as
+//! accurate as any root. From values alone, its position is known to half of the digits only,
+//! because a function is flat there.
 
 mod chance;
 pub mod chebyshev;

@@ -1,16 +1,16 @@
-//! The real roots of a polynomial of low degree, all of them.
+//! Finds all real roots of a polynomial of low degree.
 
 use super::roots;
 
-/// A value at which a polynomial turns is a double root where it is this part of the sum of its terms: two roots so
-/// near to each other that rounding may have parted or joined them.
+/// Relative tolerance for a double root: the maximum ratio of an extremum's value to the sum of its
+/// terms' magnitudes. Rounding may have separated or merged two roots as close as that.
 const TOUCHED: f64 = 1e-13;
 
-/// The real roots of c0 + c1 x + c2 x^2 + ..., from the lowest; one that is double comes once. None where all
-/// coefficients are 0, or one of them is no number.
+/// Returns the real roots of c0 + c1 x + c2 x^2 + ..., in ascending order. A double root is
+/// returned once. Returns an empty list if all coefficients are 0 or one of them is not finite.
 ///
-/// Between two neighbouring places where it turns, and beyond the outermost, a polynomial has one root at the most; where
-/// it turns, its derivative has a root. No root is larger than 1 + max |ck / cn| (Cauchy).
+/// A polynomial has at most one root between two neighbouring extrema and beyond the outermost; its
+/// extrema are roots of its derivative. All roots are within 1 + max |ck / cn| (Cauchy).
 pub fn polynomial_roots(coefficients: &[f64]) -> Vec<f64> {
     let Some(degree) = coefficients.iter().rposition(|c| *c != 0.0) else {
         return Vec::new();
@@ -36,7 +36,7 @@ pub fn polynomial_roots(coefficients: &[f64]) -> Vec<f64> {
     found
 }
 
-/// The value by Horner's rule.
+/// Returns the value by Horner's rule.
 fn polynomial(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
@@ -51,7 +51,7 @@ mod tests {
     use super::*;
     use crate::numeric::SeededChance;
 
-    /// The polynomial with these roots.
+    /// Returns the polynomial with these roots.
     fn with(roots: &[f64]) -> Vec<f64> {
         roots.iter().fold(vec![1.0], |terms, root| {
             let mut product = vec![0.0; terms.len() + 1];

@@ -1,34 +1,35 @@
-//! The roots of a function: between two places where its signs differ, and along many places.
+//! Finds the roots of a function: between two points of opposite sign, and along a list of points.
 
 use thiserror::Error;
 
-/// More values than the method takes where the rounding of a place is the finest that is asked for: it
-/// halves the interval at least every third time.
+/// Maximum number of evaluations. The method halves the interval at least every third time, so this
+/// suffices down to the rounding of a position.
 const MOST: usize = 200;
-/// Decimals that a coordinate is tried at in the place of a root that rounding has blurred.
+/// Inverse of the unit to which a root blurred by rounding is tentatively rounded.
 const DECIMALS: f64 = 1e9;
 
-/// Why there is no root.
+/// The reason why no root was found.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum NoRoot {
-    /// The signs at both places are the same, or one of them is none.
+    /// The signs at both ends are equal, or one of the values is NaN.
     #[error("the signs at both places do not differ")]
     SameSign,
-    /// On the way the function does not exist.
+    /// The function does not exist at a point of the search.
     #[error("the function does not exist at {0}")]
     Gap(f64),
-    /// Somewhere between these places: what is asked for is finer than could be reached.
+    /// The root lies between these positions, but the requested tolerance is too fine to reach.
     #[error("the root was only narrowed down to between {0} and {1}")]
     Unsettled(f64, f64),
 }
 
-/// The root of `f` between `a` and `b`, each with its value, to `finest` or two units in the last place.
+/// Finds the root of `f` between `a` and `b`, each a position with its value, to within `finest` or
+/// two ulps.
 ///
-/// Chandrupatla's method (Adv. Eng. Software 28, 1997): inverse quadratic interpolation where that
-/// is safe, halving elsewhere.
+/// Uses Chandrupatla's method (Adv. Eng. Software 28, 1997): inverse quadratic interpolation where
+/// that is safe, bisection elsewhere.
 ///
 /// # Errors
-/// Where none was found: see [`NoRoot`].
+/// If no root was found: see [`NoRoot`].
 pub fn root(
     a: (f64, f64),
     b: (f64, f64),
@@ -67,8 +68,8 @@ pub fn root(
     Err(NoRoot::Unsettled(new.0.min(other.0), new.0.max(other.0)))
 }
 
-/// The roots between neighbouring places, which are in order, where the sign of `f` changes. Neither a
-/// root that is only touched nor a gap is a change; two roots between the same places are not seen.
+/// Finds the roots between neighbouring positions, given in order, where the sign of `f` changes. A
+/// double root or a gap does not change the sign; two roots between the same positions are missed.
 pub fn roots(
     places: impl IntoIterator<Item = f64>,
     finest: f64,
@@ -82,7 +83,8 @@ pub fn roots(
             && (a.1 < 0.0) != (b.1 < 0.0)
             && let Ok(at) = root(a, b, finest, &mut f)
         {
-            // Touched from below, a root was met as the end of the last two places already.
+            // A double root touched from below was already found at the end of the previous
+            // interval.
             if a.1 == 0.0 && found.last() == Some(&at) {
                 found.pop();
             } else {
@@ -94,8 +96,8 @@ pub fn roots(
     found
 }
 
-/// The way from `new` to `other` on which the inverse parabola through three places has its zero;
-/// half of it where the parabola is not to be trusted.
+/// Returns the position of the zero of the inverse parabola through three points, as a fraction of
+/// the distance from `new` to `other`. Returns one half if the parabola is not reliable.
 fn interpolated(new: (f64, f64), other: (f64, f64), last: (f64, f64)) -> f64 {
     let xi = (new.0 - other.0) / (last.0 - other.0);
     let phi = (new.1 - other.1) / (last.1 - other.1);
@@ -108,8 +110,8 @@ fn interpolated(new: (f64, f64), other: (f64, f64), last: (f64, f64)) -> f64 {
         + (last.0 - new.0) / (other.0 - new.0) * (a / (c - a)) * (b / (c - b))
 }
 
-/// A root lies somewhere within the rounding of `f`: of equally good places, the one that is
-/// written with few decimals.
+/// Replaces a root by a position with few decimals if that is equally good: the root is only known
+/// to within the rounding of `f`.
 fn rounded(root: (f64, f64), f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
     let round = few_decimals(root.0);
     let is_as_good = (round - root.0).abs() < 1.0 / DECIMALS
@@ -117,7 +119,7 @@ fn rounded(root: (f64, f64), f: &mut impl FnMut(f64) -> Option<f64>) -> f64 {
     if is_as_good { round } else { root.0 }
 }
 
-/// The nearest coordinate that is written with few decimals.
+/// Rounds a coordinate to a multiple of 1e-9.
 pub fn few_decimals(at: f64) -> f64 {
     (at * DECIMALS).round() / DECIMALS
 }

@@ -1,16 +1,16 @@
-//! At which of its samples a function turns, where what rounding does is no turn.
+//! Finds the extrema of a sampled function, ignoring noise.
 
-/// A sample at which a function turns.
+/// A sample at which a function has an extremum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Turn {
     pub sample: usize,
     pub is_peak: bool,
-    /// At an end of the samples: nothing is known of what lies beyond.
+    /// Whether it is at an end of the samples, beyond which the function is unknown.
     pub is_end: bool,
 }
 
-/// Where `values` turn by more than `least`: peaks and dips in turn. Where they go round, the first
-/// follows the last, which repeats it.
+/// Finds the extrema of `values`, alternating peaks and dips, that differ by more than `least`.
+/// With `goes_round`, the samples are periodic: the last one repeats the first.
 pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
     let last = values.len().saturating_sub(1);
     if last < 2 {
@@ -27,7 +27,8 @@ pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
         }));
         return turns;
     }
-    // From the highest place round to it again: it is met first, and last without being told again.
+    // Walks from the highest sample round to it again: it is the first extremum, and not repeated
+    // at the end.
     let highest = (0..last)
         .max_by(|&i, &j| values[i].total_cmp(&values[j]))
         .unwrap_or(0);
@@ -35,8 +36,8 @@ pub fn turns(values: &[f64], least: f64, goes_round: bool) -> Vec<Turn> {
     walk(round.map(|i| (i, values[i])), least).0
 }
 
-/// Keeps the highest and the lowest value since the last turn; a value that is `least` away from one
-/// makes it a turn. Gives also the turn that is not yet sure.
+/// Tracks the highest and lowest value since the last extremum. A value more than `least` away from
+/// one confirms it as an extremum. Also returns the last, unconfirmed extremum.
 fn walk(values: impl Iterator<Item = (usize, f64)>, least: f64) -> (Vec<Turn>, Option<Turn>) {
     let mut turns: Vec<Turn> = Vec::new();
     let (mut high, mut low) = ((0, f64::NEG_INFINITY), (0, f64::INFINITY));

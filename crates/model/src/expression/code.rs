@@ -1,14 +1,14 @@
-//! A checked formula, as steps over a stack: run over any arithmetic, without allocating.
+//! Runs a checked formula as steps over a stack, in any arithmetic and without allocating.
 
 use super::jet::{Jet, pi};
 use crate::{Constant, Number};
 
-/// A step. It takes its figures from the stack and puts its own there.
+/// A step. It takes its arguments from the stack and pushes its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Op {
     Number(f64),
     Pi,
-    /// A figure that is asked for, by its number.
+    /// An input value, by its index.
     Leaf(u16),
     Add,
     Subtract,
@@ -26,23 +26,23 @@ pub(crate) enum Op {
     Tan,
     Asin,
     Acos,
-    /// Of y, then x.
+    /// The arguments are y, then x.
     Atan2,
-    /// Times a quotient of whole numbers.
+    /// Multiplication by a quotient of whole numbers.
     Scale(f64, f64),
     Radians,
     Degrees,
-    /// An angle as it is turned the short way: from above -180 to 180 deg.
+    /// An angle reduced to above -180 up to 180 degrees.
     ShortWay,
-    /// An angle as a direction, from 0 to below 360 deg.
+    /// An angle reduced to a direction in [0, 360) degrees.
     Wrap,
-    /// A direction as a number: where it may be on either side of 360 deg nothing is known of it.
+    /// A direction used as a number: undefined where it may be on either side of 360 degrees.
     Uncut,
     Rate,
 }
 
 impl Op {
-    /// How many figures it takes.
+    /// Returns the number of arguments.
     pub(super) fn takes(self) -> usize {
         match self {
             Op::Number(_) | Op::Pi | Op::Leaf(_) => 0,
@@ -63,18 +63,18 @@ impl Op {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Code {
     ops: Box<[Op]>,
-    /// Of each step, how often its rate is taken.
+    /// The number of times that the rate of each step is taken.
     rates: Box<[u8]>,
 }
 
-/// Figures on the stack at most.
+/// Maximum number of values on the stack.
 const STACK: usize = 40;
-/// Steps at most, with those of all formulas that one uses.
+/// Maximum number of steps, including those of all formulas that one uses.
 const MOST: usize = 4096;
-/// The degree of the highest rate that a state has.
+/// The order of the highest rate that a state has.
 const HIGHEST_RATE: u8 = 2;
 
-/// Why steps are too much.
+/// The limit that a formula exceeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Excess {
     Steps,
@@ -82,13 +82,13 @@ pub(crate) enum Excess {
 }
 
 impl Code {
-    /// Of steps that leave one figure.
+    /// Creates code from steps that leave one value.
     pub(crate) fn new(ops: Vec<Op>) -> Result<Code, Excess> {
         if ops.len() > MOST {
             return Err(Excess::Steps);
         }
         let mut rates = vec![0_u8; ops.len()];
-        // Where the steps of each figure on the stack begin.
+        // The index where the steps of each value on the stack begin.
         let mut begins: Vec<usize> = Vec::new();
         for (i, op) in ops.iter().enumerate() {
             let taken = begins.len().saturating_sub(op.takes());
@@ -115,7 +115,7 @@ impl Code {
         &self.ops
     }
 
-    /// The figures that are asked for, each with how many of its rates.
+    /// Returns the input values, each with its highest required rate.
     pub(crate) fn leaves(&self) -> impl Iterator<Item = (u16, u8)> {
         let steps = self.ops.iter().zip(&self.rates);
         steps.filter_map(|(op, rates)| match op {
@@ -124,13 +124,14 @@ impl Code {
         })
     }
 
-    /// The figure, where it exists; `leaf` has those that it is made of, and their rates by degree.
+    /// Evaluates the formula; `None` if an input is missing. `leaf` returns the inputs and their
+    /// rates, by order.
     pub(crate) fn run<T: Number>(&self, leaf: impl Fn(u16, u8) -> Option<T>) -> Option<T> {
         self.run_turning(leaf, |_, _, _, _| {})
     }
 
-    /// The same; `turn` is shown the number of each step, the step, the first two figures that it takes and the one
-    /// that it makes, each with its rates, and may put another one there.
+    /// Evaluates the formula and lets `turn` change each result. `turn` receives the index of the
+    /// step, the step, its first two arguments and its result, all with their rates.
     pub(super) fn run_turning<T: Number>(
         &self,
         leaf: impl Fn(u16, u8) -> Option<T>,
@@ -143,7 +144,7 @@ impl Code {
         }
     }
 
-    /// Runs the steps over figures with so many coefficients.
+    /// Runs the steps over values with N coefficients.
     fn run_to<T: Number, const N: usize>(
         &self,
         leaf: impl Fn(u16, u8) -> Option<T>,
@@ -173,12 +174,13 @@ impl Code {
     }
 }
 
-/// What a step makes of its first figure, unless digits of it are lost that no bound counts.
+/// Returns the result of a step, or NaN if it underflows, because no bound covers that.
 fn kept<T: Number, const N: usize>(op: Op, made: Jet<T, N>, of: Jet<T, N>) -> Jet<T, N> {
     let is_lost = match op {
         Op::Number(_) => made.is_lost(made),
         Op::Scale(..) | Op::Radians | Op::Degrees => made.is_lost(of),
-        // A sine may be 0, but that of a small angle is none; a direction is counted from a full turn, too.
+        // A sine may be 0 if its angle is not small, so the angle is checked instead. A direction
+        // is also measured from a full turn.
         Op::Sin | Op::Tan | Op::Asin => of.is_lost(of),
         Op::Atan2 => made.is_lost(of),
         Op::Pi
@@ -242,14 +244,14 @@ fn step<T: Number, const N: usize>(op: Op, a: Jet<T, N>, b: Jet<T, N>) -> Jet<T,
     }
 }
 
-/// The sine to a cosine, or the other way round, of an angle in the upper half.
+/// Returns the sine for a cosine, or the cosine for a sine, of an angle in the upper half plane.
 fn other_leg<T: Number, const N: usize>(leg: Jet<T, N>) -> Jet<T, N> {
     let one = Jet::constant(T::exactly(1.0));
     one.minus(leg).product(one.plus(leg)).root()
 }
 
-/// Of a sine: in the lower half plane the direction is counted down from 0. A sine that may be 0 is small, and
-/// its angle is as far from 360 as from 0 deg.
+/// Returns the arcsine. In the lower half plane, the direction is measured downwards from 0. The
+/// angle of a sine near 0 is as far from 360 as from 0 degrees.
 fn arc_sine<T: Number, const N: usize>(sine: Jet<T, N>) -> Jet<T, N> {
     let cosine = other_leg(sine);
     if T::default().exceeds(sine.value()) {
@@ -261,7 +263,7 @@ fn arc_sine<T: Number, const N: usize>(sine: Jet<T, N>) -> Jet<T, N> {
     }
 }
 
-/// Half a turn and a turn, in degrees; half a turn counts as the way there and not as the way back.
+/// Half a turn and a full turn, in degrees. Half a turn counts as positive.
 const HALF: f64 = 180.0;
 const TURN: f64 = 360.0;
 const OVER_HALF: f64 = 180.000_000_000_000_03;
@@ -270,7 +272,7 @@ const UNDER_NOUGHT: f64 = -f64::MIN_POSITIVE;
 fn short_way<T: Number, const N: usize>(way: Jet<T, N>) -> Jet<T, N> {
     let turns = ((way.value().nearest() - HALF) / TURN).ceil();
     let short = way.value() - T::exactly(turns * TURN);
-    // Where the cut may be between the figure and the truth, or between lanes.
+    // The cut may lie between the value and the true one, or between lanes.
     let is_short = short.exceeds(T::exactly(-HALF)) && T::exactly(OVER_HALF).exceeds(short);
     match is_short {
         true => way.moved(short),

@@ -1,4 +1,4 @@
-//! Checks what a formula measures, and makes steps of it.
+//! Checks the dimensions of a formula and compiles it to steps.
 
 use super::code::{Code, Op};
 use super::dimension::{Dimension, LengthScale, METRE};
@@ -8,27 +8,27 @@ use super::{Malformed, code::Excess};
 use crate::wording::words;
 use std::ops::Range;
 
-/// What a figure is.
+/// The type of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Kind {
     pub(crate) dimension: Dimension,
     /// Whether it never changes.
     pub(crate) is_constant: bool,
-    /// Of a direction, how it is counted.
+    /// For a direction, whether it counts turns.
     pub(crate) revolution: Option<Revolution>,
 }
 
-/// How a direction is counted.
+/// The range of a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Revolution {
-    /// From 0 to below 360 deg.
+    /// In [0, 360) degrees.
     Wrapped,
-    /// With its turns, as the driver's.
+    /// With its turns counted, like the driver's.
     Counted,
 }
 
 impl Kind {
-    /// Of a figure that changes, and is no direction.
+    /// Creates the kind of a variable that is not a direction.
     pub(crate) const fn plain(dimension: Dimension) -> Kind {
         Kind {
             dimension,
@@ -37,7 +37,7 @@ impl Kind {
         }
     }
 
-    /// Of a direction.
+    /// Creates the kind of a direction.
     pub(crate) const fn direction(revolution: Revolution) -> Kind {
         Kind {
             dimension: Dimension::DEGREES,
@@ -47,7 +47,7 @@ impl Kind {
     }
 }
 
-/// A part of a formula: its steps, and what they leave.
+/// A part of a formula: its steps and the kind of their result.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Part {
     pub(crate) ops: Vec<Op>,
@@ -55,7 +55,7 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// A plain number.
+    /// Creates a plain number.
     fn constant(number: f64) -> Part {
         Part {
             ops: vec![Op::Number(number)],
@@ -66,7 +66,7 @@ impl Part {
         }
     }
 
-    /// A number of a scene that has a name.
+    /// Creates a named number of a scene.
     pub(crate) fn named(number: f64, dimension: Option<Dimension>) -> Part {
         Part::constant(number).of(dimension.unwrap_or(Dimension::NUMBER))
     }
@@ -85,7 +85,7 @@ impl Part {
         Part { kind, ..self }
     }
 
-    /// A direction as a number of degrees; everything else as it is.
+    /// Converts a direction to a number of degrees; leaves everything else unchanged.
     fn number(self) -> Part {
         let dimension = self.kind.dimension;
         match self.kind.revolution {
@@ -95,7 +95,7 @@ impl Part {
         .of(dimension)
     }
 
-    /// Degrees as radians; everything else as it is.
+    /// Converts degrees to radians; leaves everything else unchanged.
     fn radians(self) -> Part {
         let part = self.number();
         match part.kind.dimension.degrees {
@@ -104,7 +104,7 @@ impl Part {
         }
     }
 
-    /// An angle in degrees.
+    /// Converts radians to degrees; leaves everything else unchanged.
     fn degrees(self) -> Part {
         match self.kind.dimension == Dimension::RADIANS {
             true => self.then(Op::Degrees).of(Dimension::DEGREES),
@@ -112,7 +112,7 @@ impl Part {
         }
     }
 
-    /// Both, and what is made of them.
+    /// Joins two parts by an operation.
     fn with(mut self, other: Part, op: Op, dimension: Dimension) -> Part {
         self.ops.extend(other.ops);
         self.kind.is_constant &= other.kind.is_constant;
@@ -123,7 +123,7 @@ impl Part {
         self.kind.is_constant && self.kind.dimension.is_number()
     }
 
-    /// As often times one unit of lengths in another, or the other way round.
+    /// Multiplies by the ratio of two length units to the power `times`, which may be negative.
     fn scaled(mut self, times: i8, by: f64, over: f64) -> Part {
         if by != over {
             let scale = match times < 0 {
@@ -137,13 +137,13 @@ impl Part {
     }
 }
 
-/// What names stand for; or what would mend a name that stands for nothing.
+/// A function that returns the part for a name, or a hint for an unknown name.
 pub(crate) type NamedPart<'n> = &'n mut dyn FnMut(&str) -> Result<Part, Option<String>>;
 
-/// The steps of a formula, and what it measures.
+/// Compiles a formula to steps, and returns them with the kind of the result.
 ///
 /// # Errors
-/// What is wrong first: an unknown name, figures that do not go together, too many steps.
+/// The first fault: an unknown name, incompatible dimensions, too many steps.
 pub(crate) fn compile(
     text: &str,
     tree: &ExpressionTree,
@@ -243,7 +243,7 @@ impl Compiler<'_> {
         })
     }
 
-    /// A sum or a difference.
+    /// Compiles a sum or difference.
     fn sum(
         &self,
         a: Part,
@@ -270,7 +270,7 @@ impl Compiler<'_> {
         }
     }
 
-    /// Of two figures that must measure the same.
+    /// Joins two values that must have the same dimension.
     fn alike(
         &self,
         a: Part,
@@ -377,7 +377,7 @@ impl Compiler<'_> {
             MathFunction::Tan => self.of_angle(one()?, function, Op::Tan, tree),
             MathFunction::Asin => self.of_number(one()?, function, Op::Asin, tree),
             MathFunction::Acos => self.of_number(one()?, function, Op::Acos, tree),
-            // Of what moves nobody asks for them: they have no rates here.
+            // Not supported for variables: these functions have no rates here.
             MathFunction::Exp | MathFunction::Ln | MathFunction::Log10 => {
                 let message = words().of_plain_numbers_only(function.name());
                 Err(Malformed::new(tree.span.clone(), message))
@@ -416,7 +416,7 @@ impl Compiler<'_> {
     }
 }
 
-/// A direction that was turned by an angle.
+/// Makes a direction from a direction rotated by an angle.
 fn turned(part: Part, revolution: Revolution) -> Part {
     let mut part = match revolution {
         Revolution::Wrapped => part.then(Op::Wrap),
@@ -430,7 +430,7 @@ fn beyond_use(span: &Range<usize>) -> Malformed {
     Malformed::new(span.clone(), words().unit_beyond_use())
 }
 
-/// What was probably meant by a word that names nothing.
+/// Returns a hint for a word that names nothing.
 fn slip(name: &str) -> Option<String> {
     if let Some((number, unit)) = glued(name) {
         Some(words().blank_before_unit(number, unit))

@@ -1,9 +1,9 @@
-//! A number in one unit, told in another of the same measure.
+//! Converts a number with a unit to another unit of the same dimension.
 
 use super::{LengthScale, MeasuredNumber, evaluate, glued, parse};
 
-/// A number with a unit, `5 in` or `12cm`, in another `unit`; `None` for what is no such number, and where the units measure
-/// different things.
+/// Converts a number with a unit, such as `5 in` or `12cm`, to another `unit`. Returns `None` if
+/// the text is no such number or the dimensions differ.
 pub(crate) fn converted(text: &str, unit: &str, length: LengthScale) -> Option<f64> {
     let spaced = glued(text).map(|(number, unit)| format!("{number} {unit}"));
     let typed = measured(spaced.as_deref().unwrap_or(text), length)?;

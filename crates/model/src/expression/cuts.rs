@@ -1,19 +1,20 @@
-//! How a formula jumps where a direction that it is made of passes a full turn.
+//! Determines how a formula jumps where a direction in it passes a full turn.
 
 use super::code::{Code, Op};
 
-/// What the jump of a direction by a full turn makes of a figure.
+/// The effect of a direction's jump by a full turn on a formula's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum DirectionCut {
-    /// Nothing.
+    /// The value does not jump.
     Nowhere,
-    /// A jump by full turns: whole turns away the figure is the same, as a direction is.
+    /// The value jumps by full turns, and values whole turns apart are equivalent, as for a
+    /// direction.
     ByTurns,
-    /// A jump by something else, or nobody knows.
+    /// The value jumps by another or an unknown amount.
     Otherwise,
 }
 
-/// A figure on the stack; of a number that never changes its value.
+/// A value on the stack, with its number if it is constant.
 #[derive(Clone, Copy)]
 struct Traced {
     cut: DirectionCut,
@@ -21,7 +22,8 @@ struct Traced {
 }
 
 impl Code {
-    /// How the figure jumps; `is_direction` tells which of those that it is made of are directions.
+    /// Returns how the value jumps. `is_direction` returns `true` for the inputs that are
+    /// directions.
     pub(crate) fn cut(&self, is_direction: impl Fn(u16) -> bool) -> DirectionCut {
         let mut stack: Vec<Traced> = Vec::new();
         for &op in self.ops() {
@@ -46,7 +48,7 @@ fn traced(op: Op, taken: &[Traced], is_direction: impl Fn(u16) -> bool) -> Trace
         (Op::Divide, [Some(a), Some(b)]) => Some(a / b),
         _ => None,
     };
-    // Continuous in what it takes, so that no other jump is left than one that this has.
+    // The step is continuous, so that only its arguments can jump.
     let otherwise = match most {
         DirectionCut::Nowhere => DirectionCut::Nowhere,
         DirectionCut::ByTurns | DirectionCut::Otherwise => DirectionCut::Otherwise,
@@ -63,7 +65,7 @@ fn traced(op: Op, taken: &[Traced], is_direction: impl Fn(u16) -> bool) -> Trace
         (Op::Multiply, [Some(factor), None] | [None, Some(factor)]) => times(factor),
         (Op::Divide, [None, Some(by)]) => times(1.0 / by),
         (Op::Atan2, _) => otherwise.max(DirectionCut::ByTurns),
-        // A full turn more is the same angle to these, and to every slope.
+        // A full turn changes neither these functions nor a slope.
         (Op::Sin | Op::Cos | Op::Tan | Op::Rate, _) if most == DirectionCut::ByTurns => {
             DirectionCut::Nowhere
         }

@@ -1,18 +1,18 @@
-//! What a figure measures, and in what.
+//! Represents dimensions and units of values.
 
 use std::fmt::Write as _;
 
-/// The unit of a figure, as powers of a few units. Forces keep their newton and moments their metre beside the
-/// unit of lengths, so that nothing is converted that need not be.
+/// The unit of a value, as powers of a few base units. Forces keep their newton and moments their
+/// metre independently of the length unit, so that no unnecessary conversion takes place.
 ///
-/// Radians are numbers where there are lengths, forces or masses beside them: of `omega * r` only mm/s are
-/// left. Degrees stand alone: what is multiplied is in radians.
+/// Radians count as numbers next to lengths, forces or masses: `omega * r` is in mm/s. Degrees
+/// occur alone, because products use radians.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dimension {
     pub(super) newton: i8,
     pub(super) kilogram: i8,
     pub(super) metre: i8,
-    /// The unit of lengths.
+    /// The power of the length unit.
     pub(super) length: i8,
     pub(super) second: i8,
     pub(super) radian: i8,
@@ -20,10 +20,10 @@ pub struct Dimension {
     pub(super) degrees: bool,
 }
 
-/// The unit of lengths in a formula.
+/// The length unit of a formula.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthScale {
-    /// As it is written.
+    /// The unit's symbol.
     pub(crate) symbol: &'static str,
     /// Its size in tenths of a millimetre, a whole number.
     pub(crate) tenths_of_mm: f64,
@@ -32,7 +32,7 @@ pub struct LengthScale {
 /// Tenths of a millimetre in a metre.
 pub(super) const METRE: f64 = 10_000.0;
 
-/// Powers beyond this are no figure's of a linkage.
+/// Maximum power of a unit; no quantity of a linkage exceeds it.
 pub(super) const LARGEST_POWER: i8 = 24;
 
 impl Dimension {
@@ -106,7 +106,8 @@ impl Dimension {
         ..Dimension::NUMBER
     };
 
-    /// Of the slope over time: that of degrees is in rad/s, as everywhere in krank.
+    /// Returns the dimension of the time derivative; that of degrees is rad/s, as everywhere in
+    /// krank.
     pub(crate) fn rate(self) -> Dimension {
         let second = self.second.saturating_sub(1);
         Dimension {
@@ -116,7 +117,7 @@ impl Dimension {
         }
     }
 
-    /// The same with every length in metres.
+    /// Returns the dimension with every length in metres.
     pub(super) fn in_metres(self) -> Dimension {
         Dimension {
             metre: self.metre + self.length,
@@ -136,7 +137,7 @@ impl Dimension {
         ]
     }
 
-    /// With what the powers of two become; `None` where that is beyond all use.
+    /// Combines the powers of two dimensions; `None` if one exceeds the maximum.
     fn joined(self, other: Dimension, join: impl Fn(i8, i8) -> Option<i8>) -> Option<Dimension> {
         let mut powers = self.powers();
         for (power, other) in powers.iter_mut().zip(other.powers()) {
@@ -167,7 +168,7 @@ impl Dimension {
         self.joined(self, |power, _| power.checked_mul(exponent))
     }
 
-    /// `None` where a power is odd.
+    /// Returns the dimension of the square root; `None` if a power is odd.
     pub(super) fn root(self) -> Option<Dimension> {
         self.joined(self, |power, _| (power % 2 == 0).then_some(power / 2))
     }
@@ -176,12 +177,13 @@ impl Dimension {
         self == Dimension::NUMBER
     }
 
-    /// A plain angle, in degrees or radians.
+    /// Returns `true` for a plain angle, in degrees or radians.
     pub(super) fn is_angle(self) -> bool {
         self == Dimension::DEGREES || self == Dimension::RADIANS
     }
 
-    /// Whether figures of both can be added: they measure the same, but for radians in what changes in time.
+    /// Returns `true` if values of both can be added: they have the same physical dimension.
+    /// Radians are ignored in values that involve time or force.
     pub fn adds_to(self, other: Dimension) -> bool {
         let physical = |d: Dimension| {
             [
@@ -194,12 +196,13 @@ impl Dimension {
         physical(self) == physical(other) && (is_soft || self.radian == other.radian)
     }
 
-    /// How often the length unit in metres is a factor of a figure of the other unit that is written in this one.
+    /// Returns the power of the length unit in metres that converts a value of the other dimension
+    /// to this one.
     pub(super) fn lengths_beyond(self, other: Dimension) -> i8 {
         other.length - self.length
     }
 
-    /// As columns write it; `1` of a plain number.
+    /// Returns the unit as in columns; `1` for a plain number.
     pub fn symbol(self, length: &str) -> String {
         let is_power = Dimension {
             second: -1,
@@ -211,7 +214,7 @@ impl Dimension {
         }
     }
 
-    /// As it is written in a formula, behind a number.
+    /// Returns the unit as in a formula, following a number.
     pub(crate) fn written(self, length: &str) -> String {
         if self.degrees {
             return "deg".into();

@@ -1,19 +1,19 @@
-//! Sines, directions, exponentials and logarithms of formulas, with their error bounds.
+//! Computes sines, directions, exponentials and logarithms of formulas, with error bounds.
 
 use super::wide::Wide;
 use std::sync::LazyLock;
 
-/// Bits of a result; `1 + exp(-700)` has 300 to spare.
+/// Bits of a result; `1 + exp(-700)` leaves a margin of 300.
 const BITS: u64 = 1280;
-/// Bits that are computed beside, for what squaring loses.
+/// Additional bits for the digits that squaring loses.
 const GUARD: u64 = 64;
-/// Arguments of series are halved so often, and results squared as often.
+/// Number of times that the argument of a series is halved, and its result squared.
 const HALVINGS: i64 = 16;
-/// Powers of e beyond 2^19 are in no formula.
+/// Maximum exponent of e is 2^19: larger ones do not occur in formulas.
 const MAX_EXPONENT_TOP: i64 = 20;
 /// Bits of the steps that refine a direction: each triples the digits.
 const DIRECTION_STEPS: [u64; 3] = [160, 448, BITS];
-/// Bits of the steps that refine a logarithm: the first guess of a large one has fewer digits.
+/// Bits of the steps that refine a logarithm: the initial value of a large one has fewer digits.
 const LOGARITHM_STEPS: [u64; 4] = [160, 320, 896, BITS];
 
 /// pi, by Machin's formula.
@@ -22,13 +22,13 @@ pub(super) static PI: LazyLock<Wide> = LazyLock::new(|| {
     far.minus(&arctangent_of_inverse(239).times(&Wide::whole(4)))
 });
 
-/// Degrees in a radian.
+/// The number of degrees in a radian.
 pub(super) static DEGREES: LazyLock<Wide> =
     LazyLock::new(|| Wide::whole(180).over_to(&PI, BITS + GUARD));
 
 static LN_10: LazyLock<Wide> = LazyLock::new(|| logarithm(&Wide::whole(10)).unwrap_or(Wide::ZERO));
 
-/// arctan(1 / n) = 1 / n - 1 / (3 n^3) + ..., whose rest is less than its last term.
+/// Computes arctan(1 / n) = 1 / n - 1 / (3 n^3) + ..., whose remainder is less than its last term.
 fn arctangent_of_inverse(n: i32) -> Wide {
     let (bits, square) = (BITS + GUARD, Wide::whole(n * n));
     let mut power = Wide::whole(1).over_to(&Wide::whole(n), bits);
@@ -42,7 +42,8 @@ fn arctangent_of_inverse(n: i32) -> Wide {
     sum.widened(power.largest_top())
 }
 
-/// Sums x^n / n! for |x| < 1/2 into two series, of even and of odd n. `turn` is -1 for sine and cosine.
+/// Sums x^n / n! for |x| < 1/2 into two series, over even and odd n. `turn` is -1 for cosine and
+/// sine, 1 for the exponential.
 fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
     let mut sums = [Wide::whole(1), Wide::ZERO];
     let mut term = Wide::whole(1);
@@ -56,11 +57,12 @@ fn series(x: &Wide, turn: i32, bits: u64) -> [Wide; 2] {
         let odd = usize::from(n % 2 == 1);
         sums[odd] = sums[odd].plus(&term);
     }
-    // All further terms together are less than the last one.
+    // The remainder is less than the last term.
     sums.map(|sum| sum.widened(term.largest_top()).rounded(bits))
 }
 
-/// Cosine and sine of an angle in degrees; `None` of one that is known to no turn.
+/// Returns the cosine and sine of an angle in degrees; `None` if the angle is too large or its
+/// bound too wide.
 pub(super) fn unit(degrees: &Wide) -> Option<[Wide; 2]> {
     unit_to(degrees, BITS)
 }
@@ -73,7 +75,7 @@ fn unit_to(degrees: &Wide, bits: u64) -> Option<[Wide; 2]> {
     let right = Wide::whole(90);
     let quarters = degrees.over(&right).nearest_whole();
     let rest = degrees.minus(&right.times(&Wide::whole(quarters.clone())));
-    // 45 degrees, and what the bound adds.
+    // 45 degrees, plus the bound.
     if rest.largest_top() > 8 {
         return None;
     }
@@ -89,7 +91,7 @@ fn unit_to(degrees: &Wide, bits: u64) -> Option<[Wide; 2]> {
     })
 }
 
-/// The unit of a small angle, by squaring that of a much smaller one.
+/// Returns the cosine and sine of a small angle, by squaring those of a much smaller one.
 fn unit_of_rest(degrees: &Wide, bits: u64) -> [Wide; 2] {
     let radians = degrees.over_to(&DEGREES, bits);
     let [mut cosine, mut sine] = series(&radians.scaled(-HALVINGS), -1, bits);
@@ -104,7 +106,8 @@ fn unit_of_rest(degrees: &Wide, bits: u64) -> [Wide; 2] {
     [cosine, sine]
 }
 
-/// The direction in degrees, from -180 to 180, of a vector that is not zero; `None` where it may be.
+/// Returns the direction in degrees, from -180 to 180, of a nonzero vector; `None` if the vector
+/// may be zero.
 pub(super) fn direction(x: &Wide, y: &Wide) -> Option<Wide> {
     if y.is_zero() {
         return Some(Wide::whole(if x.is_negative() { 180 } else { 0 }));
@@ -125,7 +128,8 @@ pub(super) fn direction(x: &Wide, y: &Wide) -> Option<Wide> {
         if off.largest_top() > -2 {
             return None;
         }
-        // An angle exceeds its sine by less than the cube of that; a radian is less than 2^6 degrees.
+        // An angle exceeds its sine by less than the cube of the sine; a radian is less than 2^6
+        // degrees.
         let beyond = 3 * off.largest_top() + 6;
         let degrees = off.times(&DEGREES).rounded(bits + GUARD);
         let refined = angle.plus(&degrees).widened(beyond);
@@ -137,7 +141,7 @@ pub(super) fn direction(x: &Wide, y: &Wide) -> Option<Wide> {
     None
 }
 
-/// e to this power; `None` beyond all use.
+/// Returns e to this power; `None` if the power is too large.
 pub(super) fn exponential(power: &Wide) -> Option<Wide> {
     exponential_to(power, BITS)
 }
@@ -157,7 +161,7 @@ fn exponential_to(power: &Wide, bits: u64) -> Option<Wide> {
     Some((0..halvings).fold(even.plus(&odd), squared))
 }
 
-/// The natural logarithm of what is positive; `None` where it is known to no digit.
+/// Returns the natural logarithm of a positive number; `None` if no digit of it is known.
 pub(super) fn logarithm(of: &Wide) -> Option<Wide> {
     let top = of.top();
     let part = of.clone().scaled(-top).nearest();
@@ -170,7 +174,7 @@ pub(super) fn logarithm(of: &Wide) -> Option<Wide> {
         if off.largest_top() > -2 {
             return None;
         }
-        // ln(1 + e) is 2 e / (2 + e), but for less than the cube of e.
+        // ln(1 + e) differs from 2 e / (2 + e) by less than the cube of e.
         let beyond = 3 * off.largest_top();
         let more = off.scaled(1).over_to(&over.plus(&one), bits + GUARD);
         let refined = match more.is_zero() {
@@ -185,7 +189,7 @@ pub(super) fn logarithm(of: &Wide) -> Option<Wide> {
     None
 }
 
-/// The logarithm to the base 10.
+/// Returns the logarithm to base 10.
 pub(super) fn decimal_logarithm(of: &Wide) -> Option<Wide> {
     let logarithm = logarithm(of)?;
     Some(logarithm.over_to(&LN_10, BITS + GUARD))

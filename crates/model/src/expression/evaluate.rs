@@ -1,4 +1,4 @@
-//! What a formula of plain numbers is worth.
+//! Evaluates formulas of plain numbers.
 
 use super::dimension::METRE;
 use super::elementary::{self, DEGREES, PI};
@@ -8,16 +8,17 @@ use super::{Dimension, LengthScale, Malformed};
 use crate::wording::words;
 use std::ops::Range;
 
-/// A number, and what it measures, if a unit tells: plain numbers may stand for anything.
+/// A number, and its dimension if it has a unit. Plain numbers are compatible with any dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MeasuredNumber {
-    /// Lengths in the formula's unit, angles in degrees, all else in that of metres.
+    /// The value: lengths in the formula's unit, angles in degrees, everything else in units based on
+    /// metres.
     pub(crate) value: Wide,
     pub dimension: Option<Dimension>,
 }
 
 impl MeasuredNumber {
-    /// A number without a unit.
+    /// Creates a number without a unit.
     pub fn plain(value: Wide) -> MeasuredNumber {
         MeasuredNumber {
             value,
@@ -25,7 +26,7 @@ impl MeasuredNumber {
         }
     }
 
-    /// The nearest double.
+    /// Returns the nearest double.
     pub fn nearest(&self) -> f64 {
         self.value.nearest()
     }
@@ -35,13 +36,15 @@ impl MeasuredNumber {
     }
 }
 
-/// What a name is worth; else what would mend it.
+/// A function that returns the value of a name, or a hint for an unknown name.
 pub(crate) type NamedWorth<'e> = &'e dyn Fn(&str) -> Result<MeasuredNumber, Option<String>>;
 
-/// Evaluates a formula. Units are converted: lengths to `length`, angles to degrees, all else to that of metres.
+/// Evaluates a formula. Units are converted: lengths to `length`, angles to degrees, everything
+/// else to units based on metres.
 ///
 /// # Errors
-/// What is wrong first; also a value that no double holds, and one that is known to too few digits.
+/// The first fault, including a value that no double can represent or of which too few digits are
+/// known.
 pub(crate) fn evaluate(
     text: &str,
     tree: &ExpressionTree,
@@ -67,7 +70,7 @@ pub(crate) fn evaluate(
     Err(Malformed::new(tree.span.clone(), message))
 }
 
-/// What a tree needs beside itself.
+/// The context for the evaluation of a tree.
 struct Evaluator<'e> {
     text: &'e str,
     length: LengthScale,
@@ -75,7 +78,7 @@ struct Evaluator<'e> {
 }
 
 impl Evaluator<'_> {
-    /// What a part is worth.
+    /// Evaluates a part.
     fn worth(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
         let MeasuredNumber { value, dimension } = match &tree.node {
             Node::Number(number, unit) => self.number(number, unit.as_ref(), tree)?,
@@ -100,7 +103,7 @@ impl Evaluator<'_> {
         self.text.get(tree.span.clone()).unwrap_or("")
     }
 
-    /// The fault of a part that no number is.
+    /// Returns the fault of a part without a numeric value.
     fn nothing(&self, tree: &ExpressionTree) -> Malformed {
         let message = words().has_no_worth(self.quoted(tree));
         Malformed::new(tree.span.clone(), message)
@@ -198,13 +201,13 @@ impl Evaluator<'_> {
         Ok(MeasuredNumber { value, dimension })
     }
 
-    /// The fault of what is divided by.
+    /// Returns the fault of a division by zero.
     fn by_nothing(&self, tree: &ExpressionTree) -> Malformed {
         let message = words().divided_by_nothing(self.quoted(tree));
         Malformed::new(tree.span.clone(), message)
     }
 
-    /// What two figures measure that are added or compared.
+    /// Returns the common dimension of two added or compared values.
     fn alike(
         &self,
         one: (&MeasuredNumber, &ExpressionTree),
@@ -216,7 +219,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// The fault of figures that do not go together.
+    /// Returns the fault of incompatible dimensions.
     fn apart(
         &self,
         one: (&MeasuredNumber, &ExpressionTree),
@@ -231,13 +234,13 @@ impl Evaluator<'_> {
         Malformed::new(span, message).help(words().units_stand_alone())
     }
 
-    /// The fault of units that are multiplied or divided.
+    /// Returns the fault of multiplied or divided units.
     fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> Malformed {
         let message = told(self.text.get(span.clone()).unwrap_or(""));
         Malformed::new(span.clone(), message).help(words().units_divide_their_like())
     }
 
-    /// A plain number: what it measures is lost on what follows.
+    /// Evaluates a part that must be a plain number.
     fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
         let found = self.worth(tree)?;
         match found.dimension {
@@ -340,7 +343,7 @@ impl Evaluator<'_> {
         Ok(MeasuredNumber::plain(value))
     }
 
-    /// An angle in degrees, with its unit or without.
+    /// Evaluates an angle in degrees, with or without a unit.
     fn angle(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
         let found = self.worth(tree)?;
         match found.dimension {
@@ -353,7 +356,7 @@ impl Evaluator<'_> {
         }
     }
 
-    /// One of several figures that measure the same, or what is made of them.
+    /// Combines several values of the same dimension.
     fn fold(
         &self,
         given: &[ExpressionTree],
@@ -382,18 +385,19 @@ fn least(a: Wide, b: Wide) -> Wide {
     }
 }
 
-/// The tangent of an angle in degrees, unless its cosine is zero.
+/// Returns the tangent of an angle in degrees; `None` if its cosine is zero.
 fn tangent(degrees: &Wide) -> Option<Wide> {
     let [cosine, sine] = elementary::unit(degrees)?.map(Wide::settled);
     (!cosine.is_zero()).then(|| sine.over(&cosine))
 }
 
-/// Where both sides of an operation stand.
+/// Returns the position of an operation with both operands.
 fn of_both(sides: &[ExpressionTree; 2]) -> Range<usize> {
     sides[0].span.start..sides[1].span.end
 }
 
-/// Whether two units measure the same: degrees and radians do, plain numbers and angles do not.
+/// Returns `true` if two units have the same dimension. Degrees and radians have, plain numbers and
+/// angles have not.
 fn are_alike(one: Dimension, other: Dimension) -> bool {
     one.adds_to(other)
 }
@@ -564,7 +568,7 @@ mod tests {
         }
     }
 
-    /// A fraction of whole numbers: what a formula of decimals is worth, exactly.
+    /// A fraction of whole numbers: the exact value of a formula of decimals.
     #[derive(Clone, Debug)]
     struct Fraction {
         above: BigInt,
@@ -584,7 +588,7 @@ mod tests {
             }
         }
 
-        /// A double, exactly.
+        /// Converts a double, exactly.
         fn of(value: f64) -> Fraction {
             let (bits, size) = (value.to_bits(), value.abs().to_bits());
             let power = i32::try_from(size >> 52).unwrap().max(1) - 1075;
@@ -616,8 +620,8 @@ mod tests {
         }
     }
 
-    /// Formulas with what they are worth: decimals over the whole range of doubles, sums, differences, products,
-    /// quotients and powers of them.
+    /// Generates formulas with their exact values: decimals over the whole range of doubles, and sums,
+    /// differences, products, quotients and powers of them.
     fn formulas() -> impl Strategy<Value = (String, Fraction)> {
         let decimal =
             (0_u64..=99_999_999_999_999_999, -323_i32..=290).prop_map(|(digits, power)| {

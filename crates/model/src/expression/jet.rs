@@ -1,12 +1,12 @@
-//! A figure with its rates: the first coefficients of its Taylor series over time.
+//! Represents a value with its rates, by the first coefficients of its Taylor series over time.
 
 use crate::{Constant, Double, Number, Vec2};
 
-/// c\[0\] + c\[1\] t + c\[2\] t^2, as far as there are coefficients; with one it is the figure alone.
+/// A truncated Taylor series c\[0\] + c\[1\] t + c\[2\] t^2, with N coefficients.
 ///
-/// An angle in degrees has its rates in radians, as everywhere in krank: c\[0\] is in degrees, the others are
-/// not. So nothing is converted on the way from an angle to its angular velocity. What is not linear takes
-/// angles in radians, but for sine and cosine.
+/// An angle in degrees has its rates in radians, as everywhere in krank: c\[0\] is in degrees, the
+/// others are not. So no conversion is needed between an angle and its angular velocity. Nonlinear
+/// functions except sine and cosine take angles in radians.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet<T, const N: usize>([T; N]);
 
@@ -17,14 +17,14 @@ impl<T: Number, const N: usize> Default for Jet<T, N> {
 }
 
 impl<T: Number, const N: usize> Jet<T, N> {
-    /// What does not change.
+    /// Creates a constant.
     pub(crate) fn constant(value: T) -> Self {
         let mut jet = Jet::default();
         jet.0[0] = value;
         jet
     }
 
-    /// By the figure, its rate, and the rate of that.
+    /// Creates a series from the value and its first and second derivative.
     pub(crate) fn of_rates(rates: [T; N]) -> Self {
         let mut jet = Jet(rates);
         if let Some(second) = jet.0.get_mut(2) {
@@ -33,7 +33,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         jet
     }
 
-    /// What does not exist.
+    /// Creates an undefined value: NaN.
     pub(super) fn nothing() -> Self {
         Jet([T::exactly(f64::NAN); N])
     }
@@ -42,7 +42,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         self.0[0]
     }
 
-    /// The figure, and what its rates are made of.
+    /// Returns the coefficients.
     pub(super) fn coefficients(&self) -> &[T] {
         &self.0
     }
@@ -51,14 +51,14 @@ impl<T: Number, const N: usize> Jet<T, N> {
         &mut self.0
     }
 
-    /// This figure where it exists, and no rates.
+    /// Keeps the value and makes the rates NaN.
     fn without_rates(self) -> Self {
         let mut jet = Jet::nothing();
         jet.0[0] = self.0[0];
         jet
     }
 
-    /// The slope over time, as far as it is known.
+    /// Returns the time derivative. Its last coefficient is unknown and set to zero.
     pub(super) fn rate(self) -> Self {
         let mut jet = Jet::default();
         for n in 1..N {
@@ -91,18 +91,18 @@ impl<T: Number, const N: usize> Jet<T, N> {
         self.each(|c| -c)
     }
 
-    /// With another figure and the same rates.
+    /// Replaces the value and keeps the rates.
     pub(super) fn moved(mut self, to: T) -> Self {
         self.0[0] = to;
         self
     }
 
-    /// Times a quotient of two numbers that doubles hold.
+    /// Multiplies by a quotient of two doubles.
     pub(super) fn scaled(self, by: f64, over: f64) -> Self {
         self.each(|c| c * T::exactly(by) / T::exactly(over))
     }
 
-    /// Degrees as radians: the rates are in radians already.
+    /// Converts degrees to radians; the rates are in radians already.
     pub(super) fn radians(self) -> Self {
         self.moved(self.0[0] * T::of(exact(Double::RADIAN)))
     }
@@ -111,7 +111,8 @@ impl<T: Number, const N: usize> Jet<T, N> {
         self.moved(self.0[0] * T::of(exact(Double::DEGREES)))
     }
 
-    /// Nothing where a factor is lost in a product that doubles hardly hold: no bound would tell.
+    /// Multiplies; NaN if the product of nonzero values underflows, because bounds do not cover
+    /// that.
     pub(super) fn product(self, other: Self) -> Self {
         let is_something = |jet: Self| jet.0[0].abs().exceeds(T::default());
         let value = self.0[0] * other.0[0];
@@ -125,7 +126,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         product
     }
 
-    /// q b = a; nothing where b may be 0, and where doubles hardly hold it.
+    /// Solves q b = a; NaN if b may be 0 or the quotient underflows.
     pub(super) fn quotient(self, by: Self) -> Self {
         if !by.0[0].abs().exceeds(T::default()) {
             return Jet::nothing();
@@ -153,18 +154,18 @@ impl<T: Number, const N: usize> Jet<T, N> {
         }
     }
 
-    /// s s = a. At 0 there are no rates.
+    /// Solves s s = a. At 0, the rates are NaN.
     pub(super) fn root(self) -> Self {
         self.root_from(self.0[0].sqrt())
     }
 
-    /// The length of a vector; its rates do not exist where it is 0.
+    /// Returns the length of a vector; its rates are NaN if the length is 0.
     pub(super) fn norm(x: Self, y: Self) -> Self {
         let square = x.product(x).plus(y.product(y));
         square.root_from(T::norm(Vec2::new(x.0[0], y.0[0])))
     }
 
-    /// The root of this one, of which the figure is known already.
+    /// Returns the square root, given its value.
     fn root_from(self, value: T) -> Self {
         let mut root = Jet::constant(value);
         if !value.exceeds(T::default()) {
@@ -177,8 +178,8 @@ impl<T: Number, const N: usize> Jet<T, N> {
         root
     }
 
-    /// The direction of a vector in degrees, from 0 to below 360; nothing where the vector may be 0.
-    /// Of its rate w: w (x^2 + y^2) = x y' - y x'.
+    /// Returns the direction of a vector in degrees, in [0, 360); NaN if the vector may be 0. Its
+    /// rate w satisfies w (x^2 + y^2) = x y' - y x'.
     pub(super) fn direction(x: Self, y: Self) -> Self {
         let vector = Vec2::new(x.0[0], y.0[0]);
         if !T::norm(vector).exceeds(T::default()) {
@@ -192,7 +193,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         rate.integral(T::degrees(vector))
     }
 
-    /// Cosine and sine of an angle in degrees: e' = i a' e.
+    /// Returns the cosine and sine of an angle in degrees: e' = i a' e.
     pub(super) fn unit(self) -> [Self; 2] {
         let Vec2 { x, y } = T::unit(self.0[0]);
         let (mut cos, mut sin) = (Jet::constant(x), Jet::constant(y));
@@ -205,7 +206,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
         [cos, sin]
     }
 
-    /// What has this rate and is `value` now.
+    /// Integrates this rate from the initial value `value`.
     fn integral(self, value: T) -> Self {
         let mut jet = Jet::constant(value);
         for n in 1..N {
@@ -214,13 +215,14 @@ impl<T: Number, const N: usize> Jet<T, N> {
         jet
     }
 
-    /// Whether doubles hardly hold what was made of a figure, or do not hold it at all: no bound would tell.
+    /// Returns `true` if this result of a nonzero value `of` underflows or is NaN; bounds do not
+    /// cover that.
     pub(super) fn is_lost(self, of: Self) -> bool {
         let was_something = of.0[0].abs().exceeds(T::default());
         was_something && !self.0[0].abs().exceeds(T::exactly(HELD))
     }
 
-    /// The size. Where it may be 0 its rates do not exist.
+    /// Returns the absolute value. If the value may be 0, the rates are NaN.
     pub(super) fn size(self) -> Self {
         let nought = T::default();
         if self.0[0].exceeds(nought) {
@@ -234,14 +236,16 @@ impl<T: Number, const N: usize> Jet<T, N> {
         }
     }
 
-    /// The smaller of two; nothing where one of them is nothing. Where either may be it, rates do not exist.
+    /// Returns the smaller of two; NaN if one of them is. If either may be the smaller one, the
+    /// rates are NaN.
     pub(super) fn lesser(self, other: Self) -> Self {
         if other.0[0].exceeds(self.0[0]) {
             self
         } else if self.0[0].exceeds(other.0[0]) {
             other
         } else {
-            // The smaller of a number and of none is the number: here it is none, lane by lane.
+            // `min` of a number and NaN returns the number; the added zero makes it NaN, lane by
+            // lane.
             let none = (self.0[0] + other.0[0]).scaled(0.0);
             let lesser = self.0[0].min(other.0[0]).at_kink(other.0[0]);
             self.moved(lesser + none).without_rates()
@@ -249,19 +253,20 @@ impl<T: Number, const N: usize> Jet<T, N> {
     }
 }
 
-/// The rounding of a smaller product or quotient is no part of its size any more.
+/// Minimum magnitude of products and quotients; below it, the rounding error is no longer relative
+/// to the value.
 const LEAST: f64 = 1e-280;
 
-/// Below some 2.2e-308 doubles have fewer digits the smaller they are.
+/// Minimum magnitude of converted values: below about 2.2e-308, doubles lose digits.
 const HELD: f64 = 1e-300;
 
-/// The sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
+/// Returns the sum of a\[i\] b\[n - i\] for i in `range`, which may be empty.
 fn convolved<T: Number>(a: &[T], b: &[T], n: usize, range: std::ops::Range<usize>) -> T {
     let terms = range.map(|i| a[i] * b[n - i]);
     terms.reduce(|sum, term| sum + term).unwrap_or_default()
 }
 
-/// Whole multiples of the first coefficients, without rounding.
+/// Multiplies by n; exact for n of 1 and 2.
 fn times<T: Number>(n: usize, value: T) -> T {
     match n {
         1 => value,
@@ -270,7 +275,7 @@ fn times<T: Number>(n: usize, value: T) -> T {
     }
 }
 
-/// A number of mathematics to twice the precision.
+/// Creates a mathematical constant in double-double.
 fn exact(value: Double) -> Constant {
     Constant {
         hi: value.hi,
@@ -280,7 +285,7 @@ fn exact(value: Double) -> Constant {
     }
 }
 
-/// Pi.
+/// Returns pi.
 pub(super) fn pi() -> Constant {
     exact(Double {
         hi: std::f64::consts::PI,

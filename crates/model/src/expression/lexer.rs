@@ -1,4 +1,4 @@
-//! The words and marks of a formula.
+//! Splits a formula into lexemes.
 
 use super::{Malformed, is_of_name};
 use crate::wording::words;
@@ -8,14 +8,15 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Lexeme {
     Number(f64),
-    /// A name, or anything else that is made of the characters of one.
+    /// A name, or any other word made of the same characters.
     Name,
     /// One of `+ - * / ^ ( ) ,`.
     Mark(char),
     End,
 }
 
-/// Reads one after the other. What stands in front decides about a `-`: it is legal in names.
+/// Reads one lexeme after another. The context decides about a `-`, because it can be part of a
+/// name.
 #[derive(Clone, Debug)]
 pub(super) struct Lexer<'t> {
     pub(super) text: &'t str,
@@ -27,7 +28,8 @@ impl<'t> Lexer<'t> {
         Lexer { text, at: 0 }
     }
 
-    /// The next lexeme and its place; `is_operand` where a figure is to follow: there a `-` is a sign.
+    /// Returns the next lexeme and its position. With `is_operand`, an operand must follow, so that
+    /// a `-` is a sign.
     pub(super) fn next(&mut self, is_operand: bool) -> Result<(Lexeme, Range<usize>), Malformed> {
         let rest = self.text[self.at..].trim_start();
         let from = self.text.len() - rest.len();
@@ -66,7 +68,7 @@ impl<'t> Lexer<'t> {
         Ok((number(word).map_or(Lexeme::Name, Lexeme::Number), span))
     }
 
-    /// Of a word at the beginning of a text; the sign in `1e+3` belongs to it.
+    /// Returns the length of the word at the beginning of a text, including the sign in `1e+3`.
     fn word_length(&self, rest: &str) -> usize {
         let length = |text: &str| text.find(|c| !is_of_name(c)).unwrap_or(text.len());
         let word = length(rest);
@@ -80,7 +82,7 @@ impl<'t> Lexer<'t> {
         }
     }
 
-    /// Where the next lexeme may begin.
+    /// Returns the position where the next lexeme may begin.
     pub(super) fn at(&self) -> usize {
         self.at
     }
@@ -90,7 +92,7 @@ impl<'t> Lexer<'t> {
     }
 }
 
-/// The number that a word is: finite, and written in digits.
+/// Returns the number that a word represents, if it is finite and written in digits.
 pub(super) fn number(word: &str) -> Option<f64> {
     let value: f64 = word.parse().ok()?;
     (is_digital(word) && value.is_finite()).then_some(value)
@@ -102,7 +104,7 @@ fn has_digits(number: &str) -> bool {
     digits.contains(|c: char| matches!(c, '1'..='9'))
 }
 
-/// Whether a word begins as a number does: `inf` and `nan` are names.
+/// Returns `true` if a word begins like a number; `inf` and `nan` are names.
 fn is_digital(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_digit() || c == '.')
 }

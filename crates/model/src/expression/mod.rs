@@ -1,12 +1,13 @@
-//! Formulas that a person writes: `armL.angle - armR.angle`, `hypot(C.vx, C.vy) / (100 mm)`.
+//! Parses and evaluates formulas, such as `armL.angle - armR.angle` or
+//! `hypot(C.vx, C.vy) / (100 mm)`.
 //!
-//! Formulas of plain numbers are evaluated once, in numbers of so many digits that none are lost (`Wide`).
+//! Formulas of plain numbers are evaluated once, with so many digits that none are lost (`Wide`).
 //!
-//! A text is parsed into a tree that remembers where each part stands, the tree is checked and made into
-//! [`Code`], and that is run over any [`Number`](crate::Number): in doubles it gives figures, in balls their
-//! bounds, in duals what a length does to them. Rates are exact, by Taylor's coefficients (`jet`). Nothing
-//! here knows what a name stands for: whoever asks tells, as a [`Part`], and what it measures, as a
-//! [`Dimension`].
+//! A text is parsed into a tree with the position of each part. The tree is checked and compiled to
+//! [`Code`], which runs over any [`Number`](crate::Number): doubles give values, balls their
+//! bounds, duals their derivatives by a length. Rates are exact, by Taylor coefficients (`jet`).
+//! The module does not know the meaning of names: the caller supplies it as a [`Part`], and its
+//! unit as a [`Dimension`].
 
 mod code;
 mod compile;
@@ -41,17 +42,17 @@ pub use wide::Wide;
 
 use std::ops::Range;
 
-/// Bytes that a formula may have.
+/// Maximum length of a formula, in bytes.
 pub const LONGEST: usize = 1000;
 
-/// What is wrong with a formula, and where in its text.
+/// A fault in a formula, with its position in the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Malformed {
-    /// The bytes that it is about.
+    /// The bytes with the fault.
     pub(crate) span: Range<usize>,
-    /// What is wrong.
+    /// A description of the fault.
     pub(crate) message: String,
-    /// What would mend it.
+    /// A hint how to fix it.
     pub(crate) help: Option<String>,
 }
 
@@ -71,7 +72,7 @@ impl Malformed {
         }
     }
 
-    /// In one line: what is wrong, and what would mend it.
+    /// Returns the fault and the hint in one line.
     pub(crate) fn words(&self) -> String {
         match &self.help {
             Some(help) => format!("{}; {help}", self.message),
@@ -80,11 +81,11 @@ impl Malformed {
     }
 }
 
-/// Whether a name reads as a difference of what is known and of numbers: `a-b`, `rod-2`. It is one name where nobody
-/// puts blanks around its `-`.
+/// Returns `true` if a name reads as a difference of known names and numbers, such as `a-b` or
+/// `rod-2`. It is one name unless there are blanks around its `-`.
 pub(crate) fn is_difference(name: &str, is_known: impl Fn(&str) -> bool) -> bool {
     let is_part = |part: &str| lexer::number(part).is_some() || is_known(part);
-    // Where a part may begin: all before it are known.
+    // The positions where a part may begin, because everything before them is known.
     let mut begins = vec![0];
     let mut next = 0;
     while let Some(&from) = begins.get(next) {
@@ -99,7 +100,8 @@ pub(crate) fn is_difference(name: &str, is_known: impl Fn(&str) -> bool) -> bool
     begins.iter().skip(1).any(|&from| is_part(&name[from..]))
 }
 
-/// Whether a character may stand in a name: those of the parts of a scene, and the dots between them.
+/// Returns `true` if a character can occur in a name: those of the names in a scene, and the dots
+/// between their parts.
 pub(crate) fn is_of_name(c: char) -> bool {
     c.is_ascii_alphanumeric() || matches!(c, '_' | '-' | '\'' | '.')
 }

@@ -1,4 +1,4 @@
-//! A text into a tree.
+//! Parses a text into a tree.
 //!
 //! ```text
 //! sum     = product { ("+" | "-") product }
@@ -17,15 +17,15 @@ use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::ops::Range;
 
-/// Brackets in brackets, and signs.
+/// Maximum depth of nested brackets and signs.
 const DEEPEST: usize = 32;
-/// The largest power that may be written.
+/// Maximum exponent.
 const LARGEST_EXPONENT: u8 = 8;
 
-/// Reads a formula.
+/// Parses a formula.
 ///
 /// # Errors
-/// What is wrong first.
+/// The first fault.
 pub(crate) fn parse(text: &str) -> Result<ExpressionTree, Malformed> {
     if text.len() > LONGEST {
         return Err(Malformed::new(
@@ -59,7 +59,7 @@ impl Parser<'_> {
         Malformed { help, ..fault }
     }
 
-    /// What mends a comma between digits.
+    /// Returns a hint for a comma between digits.
     fn point_for_comma(&self, span: &Range<usize>) -> Option<String> {
         let (before, behind) = self.lexer.text.split_at_checked(span.start)?;
         let is_digit = |c: char| c.is_ascii_digit();
@@ -69,7 +69,7 @@ impl Parser<'_> {
         is_cut.then(|| words().number_with_comma(head, tail))
     }
 
-    /// The mark that comes next, if it is one of these.
+    /// Consumes and returns the next mark, if it is one of these.
     fn mark(&mut self, marks: &[char]) -> Result<Option<char>, Malformed> {
         let mut ahead = self.lexer.clone();
         let (Lexeme::Mark(mark), _) = ahead.next(false)? else {
@@ -186,7 +186,7 @@ impl Parser<'_> {
         }
     }
 
-    /// A bracket that closes; where it ends.
+    /// Consumes a closing bracket and returns its end.
     fn close(&mut self) -> Result<usize, Malformed> {
         match self.lexer.next(false)? {
             (Lexeme::Mark(')'), span) => Ok(span.end),
@@ -223,7 +223,7 @@ impl Parser<'_> {
         Ok(ExpressionTree { span, node })
     }
 
-    /// A unit behind a number, where one stands: `mm`, `rad/s^2`, `N m`.
+    /// Parses the unit following a number, if there is one: `mm`, `rad/s^2`, `N m`.
     fn unit(&mut self) -> Result<Option<WrittenUnit>, Malformed> {
         let text = self.lexer.text;
         let from = text.len() - text[self.lexer.at()..].trim_start().len();
@@ -256,8 +256,9 @@ impl Parser<'_> {
     }
 }
 
-/// A power: of a whole exponent as it is, of a half of one as a power of the root, which exists at 0, too; of any other by
-/// exponential and logarithm. `None` where the exponent is none that is taken.
+/// Creates a power. A whole exponent is used directly. A half-integer exponent becomes a power of
+/// the square root, which exists at 0, too. Any other one becomes an exponential of a logarithm.
+/// Returns `None` for an invalid exponent.
 fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<Node> {
     let whole = |exponent: f64, most: u8| {
         let mut all = 1..=most as i8;
@@ -296,7 +297,8 @@ fn pair(operation: Operation, left: ExpressionTree, right: ExpressionTree) -> Ex
     }
 }
 
-/// A unit with its power at a place of a text, and where it ends; `None` where the word there is none.
+/// Parses a unit with its power at a position of a text, and returns it with its end; `None` if
+/// there is no unit.
 fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> {
     let rest = &text[from..];
     let is_of_word = |c| is_of_name(c) || is_of_unit(c);
@@ -323,14 +325,15 @@ fn unit_part(text: &str, from: usize, sign: i8) -> Option<(WrittenUnit, usize)> 
     Some((unit, end))
 }
 
-/// A number and a unit without a blank between them, which are read as a name.
+/// Splits a number and a unit without a blank between them, which the lexer reads as a name.
 pub(crate) fn glued(name: &str) -> Option<(&str, &str)> {
     let at = name.find(|c: char| !c.is_ascii_digit() && c != '.')?;
     let (number, unit) = name.split_at(at);
     (number.parse::<f64>().is_ok() && is_unit(unit)).then_some((number, unit))
 }
 
-/// What a unit measures; of a length its size in tenths of a millimetre, and whether it is in degrees.
+/// Returns the dimension of a unit, the size of a length in tenths of a millimetre, and the power
+/// of degrees.
 fn unit_of(word: &str) -> Option<(Dimension, Option<f64>, i8)> {
     let length = |tenths| Some((Dimension::LENGTH, Some(tenths), 0));
     match unit_named(word)? {

@@ -7,7 +7,7 @@ const MM: LengthScale = LengthScale {
     tenths_of_mm: 10.0,
 };
 
-/// A length, an angle, a direction, an angular velocity and a force, by the numbers 0 to 4.
+/// Returns leaves by name: a length, an angle, a direction, an angular velocity, a force and others.
 fn leaf(name: &str) -> Result<Part, Option<String>> {
     let (number, kind) = match name {
         "C.x" => (0, Kind::plain(Dimension::LENGTH)),
@@ -28,7 +28,7 @@ fn compiled(text: &str) -> Result<(Code, Kind), Malformed> {
     compile(text, &tree, MM, &mut leaf)
 }
 
-/// What a formula is, and its unit, where the leaves are these.
+/// Returns the value of a formula and its unit, for these values of the leaves.
 fn read(text: &str, leaves: [f64; 7]) -> (f64, String) {
     let (code, kind) = compiled(text).unwrap_or_else(|e| panic!("{text}: {}", e.words()));
     let value = code.run(|leaf, _| Some(leaves[usize::from(leaf)]));
@@ -152,7 +152,7 @@ fn what_does_not_go_together_is_told_with_its_place() {
     );
 }
 
-/// A formula with its first and second rate, of a figure that is known with its own.
+/// Returns the value of a formula with its first and second rate, for leaves with their rates.
 fn rates(text: &str, leaves: [[f64; 3]; 7]) -> [f64; 3] {
     let (code, _) = compiled(text).unwrap();
     std::array::from_fn(|degree| {

@@ -1,9 +1,9 @@
-//! A formula as it is written.
+//! Represents the syntax tree of a formula.
 
 use super::Dimension;
 use std::ops::Range;
 
-/// A part of a formula, and where it stands.
+/// A part of a formula, with its position.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ExpressionTree {
     pub(crate) span: Range<usize>,
@@ -12,7 +12,7 @@ pub(crate) struct ExpressionTree {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Node {
-    /// A number, and what stands behind it as its unit.
+    /// A number, with its unit if there is one.
     Number(WrittenNumber, Option<WrittenUnit>),
     Name(String),
     Negative(Box<ExpressionTree>),
@@ -29,7 +29,7 @@ pub(super) enum Operation {
     Divide,
 }
 
-/// A number as it is written: no double holds `0.1`.
+/// A number as typed, because doubles cannot represent numbers such as `0.1`.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct WrittenNumber {
     pub(super) digits: String,
@@ -37,18 +37,18 @@ pub(super) struct WrittenNumber {
     pub(super) value: f64,
 }
 
-/// A unit behind a number: what it measures with every length in the formula's own unit, and the number of
-/// such units in it, as a quotient of whole numbers to a power of each length.
+/// A unit following a number. `lengths` gives its size relative to the formula's own length unit,
+/// as a quotient of whole numbers to a power for each length.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct WrittenUnit {
     pub(super) dimension: Dimension,
-    /// The lengths in it as tenths of a millimetre, each with its power.
+    /// The lengths in it, in tenths of a millimetre, each with its power.
     pub(super) lengths: Vec<(f64, i8)>,
-    /// Whether a part of it is in degrees, and to which power.
+    /// The power of degrees in it.
     pub(super) degrees: i8,
 }
 
-/// What a formula may call.
+/// A function of formulas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum MathFunction {
     Sqrt,
@@ -104,7 +104,7 @@ impl MathFunction {
         }
     }
 
-    /// How many figures it takes: the fewest and the most.
+    /// Returns the minimum and maximum number of arguments.
     pub(super) fn takes(self) -> (usize, usize) {
         match self {
             MathFunction::Min | MathFunction::Max | MathFunction::Hypot => (2, 16),
@@ -114,18 +114,18 @@ impl MathFunction {
     }
 }
 
-/// What a formula may call, by name.
+/// Returns the names of all functions.
 pub fn functions() -> impl Iterator<Item = &'static str> {
     MathFunction::ALL.into_iter().map(MathFunction::name)
 }
 
-/// Whether a word is what a formula may call.
+/// Returns `true` if a word is the name of a function.
 pub(crate) fn is_function(word: &str) -> bool {
     functions().any(|name| name == word)
 }
 
 impl ExpressionTree {
-    /// Whether nothing is worked out here: a number with its sign and unit.
+    /// Returns `true` for a number with its sign and unit, without any operation.
     pub(crate) fn is_number(&self) -> bool {
         match &self.node {
             Node::Number(..) => true,
@@ -134,12 +134,12 @@ impl ExpressionTree {
         }
     }
 
-    /// Whether it is a name alone.
+    /// Returns `true` for a single name.
     pub(crate) fn is_name(&self) -> bool {
         matches!(self.node, Node::Name(_))
     }
 
-    /// Tells every name in it.
+    /// Calls `tell` with every name in it.
     pub(crate) fn each_name(&self, tell: &mut dyn FnMut(&str)) {
         match &self.node {
             Node::Number(..) => {}

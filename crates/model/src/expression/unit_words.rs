@@ -1,13 +1,13 @@
-//! The one table of unit spellings: what people write instead of a unit's own name.
+//! Defines all spellings of units.
 //!
-//! Formulas, scenes, prompts and files of answers all read units through it.
+//! Formulas, scenes, prompts and answer files all read units through this table.
 
 use std::borrow::Cow;
 
-/// The names of the units that stand behind numbers in formulas.
+/// The units that can follow numbers in formulas.
 pub(crate) const UNITS: [&str; 9] = ["mm", "cm", "m", "in", "deg", "rad", "s", "kg", "N"];
 
-/// Other spellings of these, Turkish and English, with the name each stands for.
+/// Other spellings of these units, Turkish and English, each with the unit's name.
 const SPELLINGS: [(&str, &str); 13] = [
     ("derece", "deg"),
     ("der", "deg"),
@@ -24,7 +24,7 @@ const SPELLINGS: [(&str, &str); 13] = [
     ("saniye", "s"),
 ];
 
-/// Revolutions per minute, which are no unit of formulas.
+/// Revolutions per minute, not available in formulas.
 const RPM: &str = "rpm";
 const RPM_SPELLINGS: [&str; 9] = [
     "d/dk",
@@ -38,23 +38,24 @@ const RPM_SPELLINGS: [&str; 9] = [
     "r/min",
 ];
 
-/// Returns whether a character may stand in the name of a unit.
+/// Returns `true` if a character can occur in the name of a unit.
 pub(super) fn is_of_unit(c: char) -> bool {
     c.is_alphabetic() || matches!(c, '°' | '˚')
 }
 
-/// Returns the name of the unit that a word of a formula stands for.
+/// Returns the name of the unit for a word of a formula.
 pub(super) fn unit_named(word: &str) -> Option<&'static str> {
     let own = UNITS.into_iter().find(|unit| *unit == word);
     own.or_else(|| spelled(word))
 }
 
-/// Returns whether a word is read as a unit where it stands behind a number.
+/// Returns `true` if a word following a number is read as a unit.
 pub(crate) fn is_unit(word: &str) -> bool {
     unit_named(word).is_some()
 }
 
-/// Returns a unit as krank writes it: `rad/s^2` for `rd/sn²`, `rpm` for `d/dk`. Unknown words stay as they are.
+/// Returns the spelling of a unit that krank uses: `rad/s^2` for `rd/sn²`, `rpm` for `d/dk`.
+/// Unknown words are returned unchanged.
 pub fn plain_unit(text: &str) -> Cow<'_, str> {
     let text = text.trim();
     let lower = text.to_lowercase();
@@ -71,7 +72,7 @@ pub fn plain_unit(text: &str) -> Cow<'_, str> {
             (1.., _) => {
                 let is_divisor = plain.trim_end().ends_with('/');
                 plain.push_str(any_case(word, is_divisor));
-                // `s2` is a power without its mark.
+                // `s2` means `s^2`.
                 if behind.starts_with(|c: char| c.is_ascii_digit()) {
                     plain.push('^');
                 }
@@ -87,8 +88,8 @@ pub fn plain_unit(text: &str) -> Cow<'_, str> {
     parts.join("/").into()
 }
 
-/// Returns the name that a word stands for: the word itself where it is none of a unit. Of single letters the case tells,
-/// but below a stroke.
+/// Returns the name of the unit for a word, or the word itself if it is no unit. Case matters for
+/// single letters, except in a divisor.
 fn any_case(word: &str, is_divisor: bool) -> &str {
     let is_free = is_divisor || word.chars().count() > 1;
     let lower = || unit_named(&word.to_lowercase()).filter(|_| is_free);

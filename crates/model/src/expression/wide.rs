@@ -1,7 +1,8 @@
-//! Numbers of formulas: many digits, any exponent, and a bound on the error.
+//! Implements ball arithmetic with big numbers for formulas: many digits and any exponent.
 //!
-//! A formula of plain numbers is evaluated once, where a scene is read, and its result is rounded once. No intermediate
-//! value overflows or underflows, and what cancels has digits to spare: `1e308 + 1e-308 - 1e308` is 1e-308.
+//! A formula of plain numbers is evaluated once, when a scene is read, and its result is rounded
+//! once. No intermediate value overflows or underflows, and cancellation leaves enough digits:
+//! `1e308 + 1e-308 - 1e308` is 1e-308.
 
 use crate::Double;
 use num_bigint::{BigInt, BigUint, Sign};
@@ -12,7 +13,7 @@ const PRECISION: u64 = 4096;
 const RADIUS_BITS: u64 = 32;
 /// Bits by which the value must exceed its bound: more than a double has.
 const KNOWN_BITS: u64 = 64;
-/// The largest power of ten of a literal, and the largest power of two of a value.
+/// The maximum power of ten of a literal, and the maximum power of two of a value.
 const MAX_DECIMAL_POWER: i64 = 10_000;
 const MAX_POWER: i64 = 1 << 21;
 
@@ -38,7 +39,7 @@ impl Wide {
         }
     }
 
-    /// A finite double, exactly.
+    /// Converts a finite double, exactly.
     pub fn exactly(value: f64) -> Wide {
         let bits = value.abs().to_bits();
         let (power, fraction) = (bits >> 52, bits & ((1 << 52) - 1));
@@ -54,7 +55,7 @@ impl Wide {
         if value < 0.0 { size.negative() } else { size }
     }
 
-    /// Reads a decimal number, such as `-1.5e-32`, exactly where its power of ten is not negative.
+    /// Parses a decimal number, such as `-1.5e-32`; exact if its power of ten is not negative.
     pub(crate) fn decimal(text: &str) -> Option<Wide> {
         let (digits, power) = match text.split_once(['e', 'E']) {
             None => (text, 0),
@@ -74,7 +75,7 @@ impl Wide {
         })
     }
 
-    /// Drops what exceeds so many bits.
+    /// Rounds to this number of bits.
     pub(super) fn rounded(self, bits: u64) -> Wide {
         let excess = self.mid.bits().saturating_sub(bits);
         let excess = excess.max(self.radius.bits().saturating_sub(RADIUS_BITS));
@@ -108,19 +109,19 @@ impl Wide {
         self.mid.sign() == Sign::Minus
     }
 
-    /// Returns the power of two below which the size of the middle is.
+    /// Returns the exponent of a power of two that exceeds the magnitude of the midpoint.
     pub(super) fn top(&self) -> i64 {
         self.exponent + self.mid.bits().cast_signed()
     }
 
-    /// Returns the power of two below which every size in the ball is.
+    /// Returns the exponent of a power of two that exceeds every magnitude in the ball.
     pub(super) fn largest_top(&self) -> i64 {
         let bits = self.mid.bits().max(self.radius.bits());
         self.exponent + bits.cast_signed() + 1
     }
 
-    /// Takes a value that its bound does not separate from zero for zero: more digits than these are lost only
-    /// where a formula is 0.
+    /// Returns zero if the bound does not separate the value from zero. A formula loses that many
+    /// digits only if its value is 0.
     pub(super) fn settled(self) -> Wide {
         match *self.mid.magnitude() <= self.radius {
             true => Wide::ZERO,
@@ -128,17 +129,18 @@ impl Wide {
         }
     }
 
-    /// Returns `true` if the exponent stays in a range that no formula in use leaves.
+    /// Returns `true` if the exponent is in the supported range, which practical formulas never
+    /// leave.
     pub(super) fn is_in_range(&self) -> bool {
         self.is_zero() || self.top().abs() < MAX_POWER
     }
 
-    /// Returns `true` if the bound is less than any rounding of a double.
+    /// Returns `true` if the bound is less than the rounding error of a double.
     pub(super) fn is_known(&self) -> bool {
         self.is_exact() || self.mid.bits() >= self.radius.bits() + KNOWN_BITS
     }
 
-    /// The middle alone.
+    /// Returns the midpoint without its radius.
     pub(super) fn middle(self) -> Wide {
         Wide {
             radius: BigUint::ZERO,
@@ -146,7 +148,7 @@ impl Wide {
         }
     }
 
-    /// The same value, with another 2^`power` of error.
+    /// Adds 2^`power` to the error bound.
     pub(super) fn widened(self, power: i64) -> Wide {
         let more = Wide {
             mid: BigInt::ZERO,
@@ -156,7 +158,7 @@ impl Wide {
         self.plus(&more)
     }
 
-    /// Times 2^`power`, exactly.
+    /// Multiplies by 2^`power`, exactly.
     pub(super) fn scaled(self, power: i64) -> Wide {
         Wide {
             exponent: self.exponent + power,
@@ -164,7 +166,7 @@ impl Wide {
         }
     }
 
-    /// Returns middle and radius in units of 2^`exponent`.
+    /// Returns midpoint and radius in units of 2^`exponent`.
     fn aligned(&self, exponent: i64) -> (BigInt, BigUint) {
         let shift = self.exponent - exponent;
         let by = shift.unsigned_abs();
@@ -220,12 +222,12 @@ impl Wide {
         product.rounded(PRECISION)
     }
 
-    /// The quotient; zero where the divisor may be zero, which callers exclude.
+    /// Returns the quotient; zero if the divisor may be zero, which callers exclude.
     pub(super) fn over(&self, by: &Wide) -> Wide {
         self.over_to(by, PRECISION)
     }
 
-    /// The quotient to so many bits.
+    /// Returns the quotient to this number of bits.
     pub(super) fn over_to(&self, by: &Wide, bits: u64) -> Wide {
         let size = by.mid.magnitude();
         if *size <= by.radius {
@@ -249,7 +251,7 @@ impl Wide {
         quotient.rounded(bits)
     }
 
-    /// The square root of what is not negative.
+    /// Returns the square root of a number that must not be negative.
     pub(super) fn root(&self) -> Wide {
         if *self.mid.magnitude() <= self.radius || self.is_negative() {
             return Wide::ZERO;
@@ -273,7 +275,7 @@ impl Wide {
         root.rounded(PRECISION)
     }
 
-    /// The nearest whole number.
+    /// Returns the nearest whole number.
     pub(super) fn nearest_whole(&self) -> BigInt {
         let by = self.exponent.unsigned_abs();
         match self.exponent < 0 {
@@ -292,7 +294,7 @@ impl Wide {
         Double { hi, lo }
     }
 
-    /// The nearest double, infinite beyond all of them.
+    /// Returns the nearest double; infinite beyond the range of doubles.
     pub(crate) fn nearest(&self) -> f64 {
         let size = self.mid.magnitude();
         let top = self.top();
@@ -303,7 +305,7 @@ impl Wide {
                 f64::INFINITY
             };
         }
-        // Below 2^-1022 doubles have fewer bits.
+        // Below 2^-1022, doubles have fewer bits.
         let kept = (top + 1074).min(53);
         if size.bits() == 0 || kept < 0 {
             return 0.0;
@@ -321,7 +323,7 @@ impl Wide {
         let digits = u64::try_from(digits).unwrap_or(0) as f64;
         let half = i32::try_from(exponent / 2).unwrap_or(0);
         let rest = i32::try_from(exponent - exponent / 2).unwrap_or(0);
-        // In two steps, since 2^-1074 times a whole number is a double and 2^1074 is none.
+        // Scaled in two steps, because 2^-1074 times a whole number is a double, but 2^1074 is not.
         let value = digits * 2.0_f64.powi(half) * 2.0_f64.powi(rest);
         if self.is_negative() { -value } else { value }
     }

@@ -1,4 +1,4 @@
-//! All figures of a scene, by name.
+//! Lists all quantities of a scene by name.
 
 use super::{Aspect, FigureSource, Quantity, Share, Subject, magnitude};
 use crate::expression::{LengthScale, Part};
@@ -11,31 +11,31 @@ use thiserror::Error;
 
 /// All quantities of a scene, in the order of the file.
 ///
-/// Beside those that are listed there are others, which come only when they are named: what the scene makes of
-/// them by formulas, and the sizes and directions of what has components.
+/// Besides the listed quantities, some are available by name only: those defined by formulas, and
+/// the magnitudes and directions of vectors.
 #[derive(Clone, Debug)]
 pub struct Catalogue {
     quantities: Vec<Quantity>,
-    /// Those of marks, which are told where they are named.
+    /// The names of marks' quantities, which are shown only if named.
     of_marks: Vec<String>,
-    /// What is made of them by formulas.
+    /// The quantities defined by formulas.
     pub(super) defined: Vec<Quantity>,
     pub(super) length: LengthScale,
-    /// Numbers that formulas may name.
+    /// The numbers that formulas can refer to.
     pub(super) parameters: Vec<(String, Part)>,
 }
 
-/// A column pattern that names nothing in the scene.
+/// A column pattern that matches nothing in the scene.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 #[error("{}", words().no_quantity(pattern, &self.mend()))]
 pub struct UnknownColumn {
     /// The pattern.
     pub pattern: String,
-    /// The name nearest to it.
+    /// The nearest name.
     pub nearest: Option<String>,
-    /// Whether it asks for a force of a scene on which nothing acts.
+    /// Whether it names a force in a scene without loads.
     pub nothing_acts: bool,
-    /// Why there is none, where that can be told.
+    /// The reason, if known.
     pub why: Option<String>,
 }
 
@@ -66,21 +66,22 @@ impl UnknownColumn {
 }
 
 impl Catalogue {
-    /// Lists what a scene can show: the driver, every vector, every named point, every centre of mass.
+    /// Lists the quantities of a scene: the driver, every vector, every named point, every centre
+    /// of mass.
     #[must_use]
     pub fn new(scene: &Scene) -> Self {
         let mut catalogue = Catalogue::without_formulas(scene);
-        // What is wrong with one is told where the scene is opened.
+        // Errors are reported when the scene is opened.
         let _ = catalogue.define_all(&scene.figures);
         catalogue
     }
 
-    /// The unit of the scene.
+    /// Returns the scene's length unit.
     pub(crate) fn length_scale(&self) -> LengthScale {
         self.length
     }
 
-    /// The same without what the scene makes of them by formulas.
+    /// Lists the quantities of a scene without those defined by formulas.
     pub(super) fn without_formulas(scene: &Scene) -> Self {
         let mut catalogue = Catalogue {
             quantities: Vec::new(),
@@ -141,7 +142,7 @@ impl Catalogue {
         catalogue
     }
 
-    /// What the driver must do, what the joints and guides carry, what the frame feels.
+    /// Adds the driver's effort, the forces of joints and guides, and the forces on the frame.
     fn forces(&mut self, scene: &Scene) {
         let mechanism = &scene.mechanism;
         let drive = match mechanism.driver().input {
@@ -182,7 +183,7 @@ impl Catalogue {
         }
     }
 
-    /// What each of several inputs must do itself.
+    /// Adds the effort of each input, if there are several.
     fn efforts(&mut self, scene: &Scene) {
         let mechanism = &scene.mechanism;
         if mechanism.timed().is_empty() {
@@ -217,13 +218,13 @@ impl Catalogue {
         });
     }
 
-    /// All that are listed, the driver's coordinate first.
+    /// Returns all listed quantities, the driver's coordinate first.
     #[must_use]
     pub fn all(&self) -> &[Quantity] {
         &self.quantities
     }
 
-    /// Those that come where none is named: marks stand still, and are only shown.
+    /// Returns the default columns: all listed quantities but those of marks, which do not move.
     #[must_use]
     pub fn usual(&self) -> Vec<Quantity> {
         let all = self.quantities.iter();
@@ -232,37 +233,39 @@ impl Catalogue {
             .collect()
     }
 
-    /// The driver's coordinate.
+    /// Returns the driver's coordinate.
     #[must_use]
     pub fn driver(&self) -> &Quantity {
         &self.quantities[0]
     }
 
-    /// All but those of the driver.
+    /// Returns all listed quantities but those of the driver.
     #[must_use]
     pub fn figures(&self) -> Vec<Quantity> {
         let figures = self.quantities.iter();
         figures.filter(|q| !q.is_driver()).cloned().collect()
     }
 
-    /// Those that come only when they are named, but for the rates of formulas: first what the scene makes of
-    /// others, then sizes and directions in the order of their components.
+    /// Returns the quantities available by name only, except derivatives of formulas. Those defined
+    /// by formulas come first, then magnitudes and directions in the order of their components.
     #[must_use]
     pub fn unlisted(&self) -> Vec<Quantity> {
         let defined = self.defined.iter().cloned();
         defined.chain(magnitude::all(&self.quantities)).collect()
     }
 
-    /// The quantity of this name, listed or not.
+    /// Returns the quantity with this name, listed or not.
     #[must_use]
     pub fn find(&self, name: &str) -> Option<Quantity> {
         let listed = self.quantities.iter().find(|q| q.name == name);
         listed.cloned().or_else(|| self.made(name).ok())
     }
 
-    /// The quantities that match the patterns, in the order of the patterns, each once; `*` stands
-    /// for any run of characters of what is listed; what is not comes by its name. The driver's coordinate is left
-    /// out: it always comes first.
+    /// Returns the quantities that match the patterns, in the order of the patterns, without
+    /// duplicates.
+    ///
+    /// `*` matches any run of characters in listed names; other quantities match by their full
+    /// name. The driver's coordinate is left out because it always comes first.
     ///
     /// # Errors
     /// The first pattern that matches nothing, with the nearest name.
@@ -290,7 +293,7 @@ impl Catalogue {
         Ok(selected)
     }
 
-    /// Whether a pattern asks for a force, and there are none.
+    /// Returns `true` if a pattern names a force and the scene has no forces.
     fn has_no(&self, pattern: &str) -> bool {
         let is_force = |aspect: &Aspect| aspect.order() == Order::Force;
         let mut own = self.quantities.iter().filter_map(Quantity::aspect);
@@ -315,10 +318,10 @@ impl Catalogue {
     }
 }
 
-/// Whether `name` fits `pattern`, where `*` stands for any run of characters.
+/// Returns `true` if `name` matches `pattern`, where `*` matches any run of characters.
 ///
-/// Each piece between two stars takes the first place where it fits: if any choice fits, this one
-/// does, and many stars cost no more than a few.
+/// Each piece between two stars takes the first position where it matches. If any choice matches,
+/// this one does, and the cost does not grow with the number of stars.
 fn matches(pattern: &str, name: &str) -> bool {
     let Some((head, rest)) = pattern.split_once('*') else {
         return pattern == name;
@@ -426,7 +429,7 @@ mod tests {
         assert_eq!(near.as_deref(), Some("C.a.angle"));
     }
 
-    /// What a pattern means, tried out in full.
+    /// Matches a pattern by trying all possibilities.
     fn tried_out(pattern: &[u8], name: &[u8]) -> bool {
         match pattern.split_first() {
             None => name.is_empty(),

@@ -1,10 +1,11 @@
-//! The driver's course over time.
+//! Computes the driver's motion over time.
 //!
-//! Time is 0 where the scene opens, and the driver runs from there as the scene says: by its motion over time, or
-//! with its speed w and its acceleration a: then it stands at q(t) = q0 + w t + a t^2 / 2 and moves with w + a t.
-//! Everywhere else in krank a figure belongs to a coordinate that is passed with the speed w, wherever it is; a
-//! curve over time has the rates that belong to its own speed, so that the slope of a position over time is the
-//! velocity that stands beside it.
+//! Time is 0 at the scene's start position. From there the driver follows the scene's motion law,
+//! or moves with its speed w and acceleration a: q(t) = q0 + w t + a t^2 / 2, at the rate w + a t.
+//!
+//! Everywhere else in krank, a value belongs to a coordinate passed with the speed w. Curves over
+//! time use the rates of the driver's actual speed, so that the slope of a position over time is
+//! the velocity shown next to it.
 
 use super::{Aspect, FigureSource, Quantity, Subject, value};
 use crate::arithmetic::Sharp;
@@ -12,36 +13,38 @@ use crate::scene::Scene;
 use crate::solver::{Order, Range, State};
 use crate::{Constant, Driver, DriverMoment, Input, MotionLaw, Number};
 
-/// Where the driver is at a time, in seconds from where the scene opens.
+/// The driver's coordinate as a function of time, in seconds from the scene's start position.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Clock {
-    /// Where the scene opens, in degrees or in the scene's length unit.
+    /// The start coordinate, in degrees or in the scene's length unit.
     start: f64,
-    /// Of the coordinate, per second; not 0.
+    /// The rate of the coordinate, per second; not 0.
     speed: f64,
-    /// Of the coordinate, per second squared.
+    /// The second derivative of the coordinate, per second squared.
     acceleration: f64,
-    /// How the driver moves, where that is not by its speed.
+    /// The driver's motion law, if it does not move by its speed.
     law: Option<MotionLaw>,
 }
 
-/// Of a stretch of time, what rounding may add to it.
+/// Relative tolerance for the ends of an interval of time, because of rounding.
 const ROUNDING: f64 = 1e-12;
-/// What rounding makes of a coordinate that is had from a time, as a part of the range.
+/// Tolerance for a coordinate computed from a time, as a fraction of the range.
 const BESIDE: f64 = 1e-12;
 
-/// How fast the driver runs at a time, against what the scene says.
+/// The driver's rates at a time, relative to the scene's speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Pace {
-    /// Its speed then as a part of the scene's.
+    /// Its speed, divided by the scene's speed.
     ratio: f64,
-    /// Its acceleration by the scene's speed, per second; and that of the scene.
+    /// Its acceleration, and the scene's acceleration, both divided by the scene's speed, per
+    /// second.
     drift: f64,
     own: f64,
 }
 
 impl Clock {
-    /// The clock of a driver that runs by its speed; `None` where it stands still: its time says nothing.
+    /// Creates the clock of a driver that moves by its speed; `None` if the speed is 0, because
+    /// time then determines nothing.
     #[must_use]
     pub fn new(driver: &Driver) -> Option<Clock> {
         let scale = |rate: f64| match driver.input {
@@ -58,7 +61,7 @@ impl Clock {
         runs.then_some(clock)
     }
 
-    /// The clock of a scene, by its motion over time where it has one.
+    /// Creates the clock of a scene, by its motion law if it has one.
     #[must_use]
     pub fn of(scene: &Scene) -> Option<Clock> {
         let law = scene.motion.clone();
@@ -66,7 +69,8 @@ impl Clock {
         Some(Clock { law, ..clock })
     }
 
-    /// Where the driver is at a time and how it goes on; rounding leads neither out of a limit nor beside it.
+    /// Returns the driver's moment at a time. Rounding moves the coordinate neither beyond a limit
+    /// nor slightly inside it.
     #[must_use]
     pub fn moment(&self, time: f64, range: Range) -> DriverMoment {
         let moment = match &self.law {
@@ -76,19 +80,19 @@ impl Clock {
         let Range::Limited { low, high } = range else {
             return moment;
         };
-        // Beside a dead point rates are beyond all bounds, at it they do not exist.
+        // Next to a dead point rates are unbounded; exactly there they do not exist.
         let at = moment.at;
         let limit = if at - low < high - at { low } else { high };
         let is_there = (at - limit).abs() <= BESIDE * (high - low);
         let at = match (is_there, &self.law) {
             (true, _) => limit,
             (false, Some(_)) => at,
-            // It is driven as far as it goes.
+            // A driver without a law stops at its limits.
             (false, None) => at.max(low).min(high),
         };
         let mut off = moment.off;
         let moved = (at - moment.at).abs();
-        // Where the error reaches as far as the limit, the limit is meant.
+        // If the error reaches the limit, the limit is meant.
         off[0] = match at == limit && moved <= off[0] {
             true => 0.0,
             false => off[0] + moved,
@@ -96,9 +100,10 @@ impl Clock {
         DriverMoment { at, off, ..moment }
     }
 
-    /// The moment of a driver that runs by its speed, and how far it is from what that has come to in twice the digits.
+    /// Returns the moment of a driver that moves by its speed, with its deviation from the
+    /// double-double result.
     fn evenly(&self, time: f64) -> DriverMoment {
-        // Converted as they were read, and once more to the driver's unit.
+        // Converted when read, and once more to the driver's unit.
         let given = |rate: f64| {
             let rate = Constant::given(rate).converted();
             Sharp::of(rate.widened(rate.radius))
@@ -125,20 +130,21 @@ impl Clock {
         }
     }
 
-    /// The moment of a coordinate that is passed with the scene's own speed, whatever its motion.
+    /// Returns the moment at a coordinate passed with the scene's own speed, regardless of its
+    /// motion law.
     #[must_use]
     pub fn passing(&self, at: f64) -> DriverMoment {
         let moment = self.evenly(0.0);
         let [_, speed, acceleration] = moment.off;
         DriverMoment {
             at,
-            // The coordinate is as it was asked.
+            // The coordinate is exactly the requested one.
             off: [0.0, speed, acceleration],
             ..moment
         }
     }
 
-    /// Where the driver is, in degrees or in the scene's length unit.
+    /// Returns the driver's coordinate at a time, in degrees or in the scene's length unit.
     #[must_use]
     pub fn coordinate(&self, time: f64) -> f64 {
         match &self.law {
@@ -147,13 +153,14 @@ impl Clock {
         }
     }
 
-    /// How the driver moves, where that is not by its speed.
+    /// Returns the driver's motion law, if it does not move by its speed.
     #[must_use]
     pub fn law(&self) -> Option<&MotionLaw> {
         self.law.as_ref()
     }
 
-    /// When the driver is there, going the way it goes at 0 s; `None` where it turns back before.
+    /// Returns the time at which the driver reaches a coordinate in its initial direction, or
+    /// `None` if it reverses before. With a motion law, returns the first such time in a period.
     #[must_use]
     pub fn time(&self, coordinate: f64) -> Option<f64> {
         match &self.law {
@@ -162,7 +169,8 @@ impl Clock {
         }
     }
 
-    /// When the driver is there first, between two times: one that turns back comes by twice.
+    /// Returns the first time between `low` and `high` at which the driver is at a coordinate. A
+    /// driver that reverses can pass it twice.
     pub(super) fn time_between(&self, coordinate: f64, low: f64, high: f64) -> Option<f64> {
         if let Some(law) = &self.law {
             return law.first(coordinate, [low, high]);
@@ -174,12 +182,13 @@ impl Clock {
         within.min_by(f64::total_cmp).map(|t| t.max(low).min(high))
     }
 
-    /// Whether the driver keeps its speed.
+    /// Returns `true` if the driver moves at constant speed.
     pub(super) fn is_even(&self) -> bool {
         self.acceleration == 0.0 && self.law.is_none()
     }
 
-    /// After what time all is as it was, of a linkage that is so after a way: in seconds.
+    /// Returns the period of the whole motion in seconds, if it repeats, for a linkage with this
+    /// range.
     pub(super) fn period(&self, range: Range) -> Option<f64> {
         let way = match range {
             Range::Full { period } => Some(period),
@@ -197,7 +206,7 @@ impl Clock {
         }
     }
 
-    /// `None` where the driver runs as fast as the scene says.
+    /// Returns the driver's rates at a time; `None` if they are constantly the scene's.
     pub(super) fn pace(&self, time: f64) -> Option<Pace> {
         let own = self.acceleration / self.speed;
         if let Some(law) = &self.law {
@@ -215,8 +224,8 @@ impl Clock {
         })
     }
 
-    /// From when to when the motion goes: from 0 s over one period, or from the limit where the
-    /// driver came from to the limit where it ends.
+    /// Returns the start and end time of the motion: from 0 s over one period, or from the limit
+    /// where the driver came from to the limit where it ends.
     #[must_use]
     pub fn span(&self, range: Range) -> (f64, f64) {
         if let Some(law) = &self.law {
@@ -235,7 +244,8 @@ impl Clock {
         }
     }
 
-    /// When the driver first leaves the stretch from `low` to `high`, both counted from its start.
+    /// Returns the first time at which the driver leaves the interval from `low` to `high`, both
+    /// relative to its start.
     fn exit(&self, low: f64, high: f64) -> f64 {
         let outwards = [(low, -1.0), (high, 1.0)];
         let leaves = outwards.into_iter().flat_map(|(far, sense)| {
@@ -246,8 +256,9 @@ impl Clock {
         leaves.min_by(f64::total_cmp).unwrap_or(0.0)
     }
 
-    /// The times at which the driver is so far from its start, first that of the way it goes at 0 s:
-    /// the roots of a t^2 / 2 + w t - far, without a difference of equals.
+    /// Returns the times at which the driver is at the distance `far` from its start, first the one
+    /// in its initial direction. They are the roots of a t^2 / 2 + w t - far, computed without
+    /// cancellation.
     fn times(&self, far: f64) -> [Option<f64>; 2] {
         let (w, a) = (self.speed, self.acceleration);
         let root = (w * w + 2.0 * a * far).sqrt().copysign(w);
@@ -257,8 +268,8 @@ impl Clock {
     }
 }
 
-/// The value of a quantity where the driver runs at another pace than the scene's: rates are K q' and
-/// K q'' + K' q'^2, of which the state has those for the scene's own q' and q''.
+/// Returns the value of a quantity when the driver runs at another pace than the scene's. Rates are
+/// K q' and K q'' + K' q'^2, and the state has those for the scene's own q' and q''.
 pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> Option<f64> {
     let Some(pace) = pace else {
         return quantity.value(state);
@@ -272,11 +283,11 @@ pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> O
     paced.filter(|value| value.is_finite())
 }
 
-/// The same of what the solver finds.
+/// Returns the value of a solver quantity at another pace.
 fn solved(subject: Subject, aspect: Aspect, state: &State, pace: Pace) -> Option<f64> {
     let plain = value(subject, aspect, state)?;
     if subject == Subject::Driver {
-        // What it does at its own pace is given.
+        // The driver's own rates are given by the pace.
         return Some(match aspect.order() {
             Order::Velocity => plain * pace.ratio,
             Order::Acceleration => plain + (pace.drift - pace.own) * state.driver_speed(),
@@ -293,7 +304,7 @@ fn solved(subject: Subject, aspect: Aspect, state: &State, pace: Pace) -> Option
         Aspect::Ay => second(first(Aspect::Vy)?),
         Aspect::Alpha => second(first(Aspect::Omega)?),
         Aspect::Accel => second(first(Aspect::Rate)?),
-        // Loads, dampers and inertia do not follow from those at another pace.
+        // Loads, dampers and inertia forces cannot be derived from those at another pace.
         Aspect::Torque
         | Aspect::Force
         | Aspect::Power

@@ -1,13 +1,13 @@
-//! Figures that are made of others.
+//! Computes quantities from other quantities.
 
 use super::{Aspect, Subject};
 use crate::expression::{Code, DirectionCut, Kind, Op, Part};
 use crate::{Ball, Dual, Number};
 
-/// How a figure is made of figures that the solver finds.
+/// A formula over values of the solver.
 ///
-/// There is one way to evaluate it: over doubles, lanes, balls and duals it gives the figure, its bound, and
-/// what a length does to it.
+/// One evaluation routine serves all arithmetics: doubles and lanes give the value, balls its
+/// bound, duals its derivative by a length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derived {
     leaves: Vec<Leaf>,
@@ -15,10 +15,10 @@ pub struct Derived {
     kind: Kind,
 }
 
-// What it is made of holds no NaN: a formula is written in digits.
+// Formulas contain no NaN, because they are written in digits.
 impl Eq for Derived {}
 
-/// A figure that the solver finds.
+/// A value computed by the solver.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Leaf {
     pub(super) subject: Subject,
@@ -27,17 +27,17 @@ pub(super) struct Leaf {
 }
 
 impl Leaf {
-    /// Itself, its rate, or the rate of that, if a state has it.
+    /// Returns its aspect differentiated `degree` times by time, if a state has it.
     fn degree(&self, degree: u8) -> Option<Aspect> {
         (0..degree).try_fold(self.aspect, |aspect, _| aspect.rate())
     }
 }
 
 impl Derived {
-    /// Of checked steps.
+    /// Creates a formula from checked steps.
     ///
     /// # Errors
-    /// The figure of which no rate is known, though the steps ask for one.
+    /// The name of a quantity without a rate that the steps need.
     pub(super) fn new(leaves: Vec<Leaf>, code: Code, kind: Kind) -> Result<Derived, String> {
         let missing = code.leaves().find_map(|(leaf, rates)| {
             let leaf = &leaves[usize::from(leaf)];
@@ -49,12 +49,12 @@ impl Derived {
         }
     }
 
-    /// What it measures.
+    /// Returns its dimension and kind.
     pub(super) fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// The figures that it is made of, and those of their rates that it takes.
+    /// Returns the solver's values, and those of their rates, that the formula reads.
     pub(super) fn parts(&self) -> impl Iterator<Item = (Subject, Aspect)> {
         self.code.leaves().flat_map(|(leaf, rates)| {
             let leaf = &self.leaves[usize::from(leaf)];
@@ -62,14 +62,15 @@ impl Derived {
         })
     }
 
-    /// What all of it is about, if that is one thing.
+    /// Returns the subject of all its values, if it is one.
     pub(super) fn subject(&self) -> Option<Subject> {
         let first = self.leaves.first()?.subject;
         let is_same = self.leaves.iter().all(|leaf| leaf.subject == first);
         is_same.then_some(first)
     }
 
-    /// Its steps as a part of another formula that is made of these figures.
+    /// Returns its steps as a part of another formula with the values `leaves`, which grows as
+    /// needed.
     pub(super) fn part(&self, leaves: &mut Vec<Leaf>) -> Part {
         let numbers: Vec<u16> = self
             .leaves
@@ -86,7 +87,10 @@ impl Derived {
         }
     }
 
-    /// Its slope over time; the figure that has none, where it does not exist.
+    /// Returns its time derivative.
+    ///
+    /// # Errors
+    /// The name of the quantity without a derivative.
     pub(super) fn rate(&self) -> Result<Derived, String> {
         let mut ops = self.code.ops().to_vec();
         ops.push(Op::Rate);
@@ -100,7 +104,7 @@ impl Derived {
         Derived::new(self.leaves.clone(), code, kind)
     }
 
-    /// The figure, where those exist that it is made of: `find` has them.
+    /// Evaluates the formula with the values given by `find`; `None` if one of them is missing.
     pub(super) fn run<T: Number>(&self, find: impl Fn(Subject, Aspect) -> Option<T>) -> Option<T> {
         self.code.run(|leaf, degree| {
             let leaf = &self.leaves[usize::from(leaf)];
@@ -110,7 +114,7 @@ impl Derived {
 }
 
 impl Derived {
-    /// How it jumps where a direction in it passes a full turn.
+    /// Returns how it jumps where a direction in it passes a full turn.
     pub(super) fn cut(&self) -> DirectionCut {
         self.code.cut(|leaf| {
             let Leaf {
@@ -120,12 +124,12 @@ impl Derived {
         })
     }
 
-    /// Whether any of its steps can turn over.
+    /// Returns `true` if any of its steps has a kink.
     pub(super) fn has_sides(&self) -> bool {
         self.code.has_sides()
     }
 
-    /// The steps that may turn over within the bounds of what they take.
+    /// Returns the steps that may be at a kink within the bounds of their arguments.
     pub(super) fn kinks(&self, find: impl Fn(Subject, Aspect) -> Option<Ball>) -> Vec<usize> {
         self.code.kinks(|leaf, degree| {
             let leaf = &self.leaves[usize::from(leaf)];
@@ -133,7 +137,7 @@ impl Derived {
         })
     }
 
-    /// The figure with these steps on their other side.
+    /// Evaluates the formula with these steps on the other side of their kinks.
     pub(super) fn beyond(
         &self,
         kinks: &[usize],
@@ -146,13 +150,13 @@ impl Derived {
     }
 }
 
-/// The number of a figure among those of a formula, which it joins.
+/// Returns the index of a value in a formula's list, to which it is added if missing.
 pub(super) fn number(leaves: &mut Vec<Leaf>, leaf: &Leaf) -> u16 {
     let known = leaves.iter().position(|other| other == leaf);
     let number = known.unwrap_or_else(|| {
         leaves.push(leaf.clone());
         leaves.len() - 1
     });
-    // A formula has fewer steps than this has numbers.
+    // A formula has fewer steps than u16 has values.
     u16::try_from(number).unwrap_or(u16::MAX)
 }

@@ -1,4 +1,4 @@
-//! Figures that a person makes of others by a formula, in a scene or behind `--columns`.
+//! Defines quantities by formulas, in a scene or in `--columns`.
 
 use super::derived::Leaf;
 use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
@@ -10,10 +10,10 @@ use crate::wording::words;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// What is wrong with the figures that a scene makes of others.
+/// Checks the quantities that a scene defines by formulas.
 ///
 /// # Errors
-/// Everything that is, with its places in the file.
+/// All faults found, with their positions in the file.
 pub fn check_figures(scene: &Scene) -> Result<(), Diagnostics> {
     if scene.figures.is_empty() {
         return Ok(());
@@ -27,10 +27,11 @@ pub fn check_figures(scene: &Scene) -> Result<(), Diagnostics> {
 }
 
 impl Catalogue {
-    /// Adds a figure by its definition, `swing = armL.angle - armR.angle`: it is found by its name from now on.
+    /// Adds a quantity by its definition, such as `swing = armL.angle - armR.angle`. It can be
+    /// found by name afterwards.
     ///
     /// # Errors
-    /// In words, what is wrong with it.
+    /// A message describing the fault.
     pub fn define(&mut self, definition: &str) -> Result<Quantity, String> {
         let (name, text) = definition.split_once('=').unwrap_or(("", definition));
         let (name, text) = (name.trim(), text.trim());
@@ -55,7 +56,8 @@ impl Catalogue {
         Ok(self.keep(name, derived))
     }
 
-    /// Whether something has this name, or figures of that name.
+    /// Returns `true` if a quantity or a parameter has this name, or if it is the first part of a
+    /// name.
     fn is_taken(&self, name: &str) -> bool {
         let is_of = |figure: &Quantity| {
             let rest = figure.name.strip_prefix(name);
@@ -68,7 +70,8 @@ impl Catalogue {
         is_parameter || self.all().iter().chain(&self.defined).any(is_of)
     }
 
-    /// Adds the figures of a scene, whatever order they stand in; gives what is wrong with those that are not.
+    /// Adds the quantities of a scene in any order. Returns the faults of those that could not be
+    /// added.
     pub(super) fn define_all(&mut self, figures: &[NamedFormula]) -> Vec<Diagnostic> {
         let mut faults = Vec::new();
         if figures.is_empty() {
@@ -95,7 +98,7 @@ impl Catalogue {
         faults
     }
 
-    /// The places of all figures that the solver finds, by their names.
+    /// Returns the index of every solver quantity by name.
     fn index(&self) -> HashMap<String, usize> {
         let names = self.all().iter().enumerate();
         names.map(|(i, q)| (q.name.clone(), i)).collect()
@@ -143,7 +146,7 @@ impl Catalogue {
         })
     }
 
-    /// What mends a name that reads as a difference.
+    /// Returns a hint if a name reads as a difference of two names.
     pub(super) fn difference(&self, name: &str) -> Option<String> {
         let is_known = |part: &str| {
             let mut parameters = self.parameters.iter();
@@ -153,7 +156,10 @@ impl Catalogue {
         is_one.then(|| words().minus_between_blanks().to_owned())
     }
 
-    /// A figure that is made of others; in words why there is none, where that can be told.
+    /// Returns a quantity computed from others.
+    ///
+    /// # Errors
+    /// The reason, if known.
     pub(super) fn made(&self, name: &str) -> Result<Quantity, Option<String>> {
         if let Some(defined) = self.defined.iter().find(|q| q.name == name) {
             return Ok(defined.clone());
@@ -178,7 +184,8 @@ impl Catalogue {
     }
 }
 
-/// The numbers of figures, each behind those that it is made of; those that are made of themselves are left out.
+/// Returns the indices of formulas in an order in which each follows those that it uses. Formulas
+/// that depend on themselves are left out.
 fn in_order(figures: &[NamedFormula]) -> Vec<usize> {
     let numbers = figures.iter().enumerate();
     let numbers: HashMap<&str, usize> = numbers.map(|(i, f)| (f.name.as_str(), i)).collect();

@@ -1,10 +1,11 @@
-//! Figures that exist in a state and are not shown: what does not balance, and what no double holds.
+//! Explains why existing values are not shown: forces that fail their check, and values too large
+//! for a double.
 
 use super::{Aspect, FigureSource, Quantity, Share, Subject};
 use crate::solver::{ForceCheck, Order, State, Withheld};
 use crate::wording::words;
 
-/// Why some figures of a state are not shown.
+/// The reason why some values of a state are not shown.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hidden {
     /// The driver's coordinate.
@@ -13,26 +14,27 @@ pub struct Hidden {
     pub why: Reason,
 }
 
-/// Why a figure is not shown.
+/// The reason why a value is not shown.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
-    /// Two ways to find the forces disagree: no force, torque or power of the state is shown.
+    /// Two computations of the forces disagree: no force, torque or power of the state is shown.
     Unbalanced {
-        /// What is left of the check, as columns are named, and its unit.
+        /// The name of the check's residual, in the form of a column, and its unit.
         residual: [String; 2],
-        /// How much that is.
+        /// The residual.
         missed: f64,
-        /// What rounding explains of it.
+        /// The maximum that rounding explains.
         most: f64,
     },
-    /// Some force is too large for a double: none is shown.
+    /// Some force is too large for a double: no force is shown.
     Forces,
-    /// This figure is too large for a double.
+    /// This value is too large for a double.
     Figure(String),
 }
 
 impl Hidden {
-    /// What is not shown of these figures in this state; `None` where all that exist are.
+    /// Returns the first reason why one of these quantities is not shown in this state; `None` if
+    /// all existing values are shown.
     #[must_use]
     pub fn of<'a>(
         quantities: impl IntoIterator<Item = &'a Quantity>,
@@ -53,7 +55,7 @@ impl Hidden {
         })
     }
 
-    /// Why the forces of this state are withheld; `None` where they are not.
+    /// Returns the reason why the forces of this state are not shown; `None` if they are.
     #[must_use]
     pub fn of_forces(state: &State) -> Option<Hidden> {
         let why = match state.withheld()? {
@@ -70,7 +72,8 @@ impl Hidden {
         })
     }
 
-    /// The reason in a sentence without its full stop; `unit` is that of the driver's coordinate.
+    /// Returns the reason as a sentence without a full stop. `unit` is that of the driver's
+    /// coordinate.
     #[must_use]
     pub fn text(&self, unit: &str) -> String {
         let at = format!("{} {unit}", self.at);
@@ -89,7 +92,7 @@ impl Hidden {
     }
 }
 
-/// What a check leaves, as columns are named, with its unit.
+/// Returns the name of a check's residual, in the form of a column, and its unit.
 fn residual(check: ForceCheck, state: &State) -> [String; 2] {
     let (of, aspect) = match check {
         ForceCheck::Drive if state.turns() => ("driver", Aspect::Torque),
@@ -99,7 +102,7 @@ fn residual(check: ForceCheck, state: &State) -> [String; 2] {
         ForceCheck::Moment => ("ground", Aspect::Moment),
     };
     let residual = Share::Residual.name().unwrap_or_default();
-    // Forces have their units whatever that of lengths is.
+    // The units of forces do not depend on the length unit.
     [
         format!("{of}.{}.{residual}", aspect.name()),
         aspect.unit(""),
@@ -107,12 +110,12 @@ fn residual(check: ForceCheck, state: &State) -> [String; 2] {
 }
 
 impl Quantity {
-    /// Whether the figure exists in this state and is too large for a double.
+    /// Returns `true` if the value exists in this state and is too large for a double.
     pub(crate) fn overflows(&self, state: &State) -> bool {
         let found = self.found(state);
         match self.source {
-            // Of two points in one place no direction exists: that is no number, and none too large. So it is with
-            // what a formula leaves open.
+            // Two coincident points have no direction, which gives NaN but is no overflow. The same
+            // applies to indeterminate formulas.
             FigureSource::Solved(Subject::Between(..), _) | FigureSource::Derived(_) => {
                 found.is_some_and(f64::is_infinite)
             }

@@ -1,21 +1,21 @@
-//! Where a motion over time goes beyond what the mechanism can do.
+//! Finds where a motion over time exceeds the mechanism's range.
 
 use crate::solver::{Range, Solver};
 use crate::{LimitId, MotionLaw};
 
-/// A motion over time that goes on where the motion of the mechanism ends.
+/// A motion over time that continues beyond the mechanism's range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionLeaves {
-    /// When it comes there, in s from where the scene opens.
+    /// The time at which it leaves the range, in s from the scene's start.
     pub time: f64,
-    /// The driver's coordinate there, in degrees or in the scene's length unit.
+    /// The driver's coordinate at that time, in degrees or in the scene's length unit.
     pub at: f64,
-    /// The limit whose stop is passed; `None` where the mechanism cannot go on.
+    /// The limit whose stop is passed; `None` where the mechanism itself cannot go further.
     pub stop: Option<LimitId>,
 }
 
 impl MotionLeaves {
-    /// Where a motion first does; `None` for one that stays within.
+    /// Returns where a motion law first leaves the range; `None` if it stays within.
     #[must_use]
     pub fn of(law: &MotionLaw, solver: &Solver) -> Option<MotionLeaves> {
         let motion = solver.motion();

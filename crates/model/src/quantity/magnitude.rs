@@ -1,13 +1,13 @@
-//! Sizes and directions of what has components: `C.v`, `C.v.angle`, `C.a.t`, `r3.B.f`.
+//! Computes magnitudes and directions of vectors: `C.v`, `C.v.angle`, `C.a.t`, `r3.B.f`.
 
 use super::derived::{Derived, Leaf, number};
 use super::{Aspect, FigureSource, Quantity};
 use crate::expression::{Code, Dimension, Kind, Op, Part, Revolution};
 use std::sync::Arc;
 
-/// A figure that stands for itself, and how it is made of components.
+/// A quantity computed from the components of a vector.
 struct Magnitude {
-    /// As in a column's name, behind that of what it is about.
+    /// The last part of the column name, following that of the subject.
     name: &'static str,
     of: &'static [Aspect],
     ops: &'static [Op],
@@ -25,7 +25,7 @@ const RATE_X: Op = Op::Leaf(2);
 const RATE_Y: Op = Op::Leaf(3);
 const RATE_SIZE: &[Op] = &[RATE_X, RATE_Y, Hypot];
 const RATE_DIRECTION: &[Op] = &[RATE_Y, RATE_X, Atan2];
-/// The rate of the size: v.a / |v|, above 0 where it speeds up.
+/// The rate of the magnitude: v.a / |v|, positive for increasing speed.
 const ALONG: &[Op] = &[
     X, RATE_X, Multiply, Y, RATE_Y, Multiply, Add, X, Y, Hypot, Divide,
 ];
@@ -34,7 +34,7 @@ const ACROSS: &[Op] = &[
     X, RATE_Y, Multiply, Y, RATE_X, Multiply, Subtract, Abs, X, Y, Hypot, Divide,
 ];
 
-/// A point has all of them, one behind the other.
+/// The components of a point's motion, in the order of the catalogue.
 const MOTION: &[Aspect] = &[Vx, Vy, Ax, Ay];
 const VELOCITY: &[Aspect] = &[Vx, Vy];
 const FORCE: &[Aspect] = &[Fx, Fy];
@@ -65,7 +65,7 @@ const fn magnitude(
 }
 
 impl Magnitude {
-    /// Made of the components that stand at the beginning of these figures, if they do.
+    /// Creates the quantity from the components at the beginning of the list, if they are there.
     fn at(&self, figures: &[Quantity]) -> Option<Quantity> {
         let first = figures.first()?;
         let FigureSource::Solved(subject, first_aspect) = first.source else {
@@ -109,12 +109,12 @@ impl Magnitude {
     }
 }
 
-/// Those of which the components stand in a list, one behind the other.
+/// Returns all quantities whose components are consecutive in the list.
 pub(super) fn all(figures: &[Quantity]) -> impl Iterator<Item = Quantity> {
     (0..figures.len()).flat_map(move |from| ALL.iter().filter_map(move |m| m.at(&figures[from..])))
 }
 
-/// The one of this name.
+/// Returns the quantity with this name.
 pub(super) fn find(figures: &[Quantity], name: &str) -> Option<Quantity> {
     ALL.iter().find_map(|magnitude| {
         let base = name.strip_suffix(magnitude.name)?;
@@ -124,7 +124,7 @@ pub(super) fn find(figures: &[Quantity], name: &str) -> Option<Quantity> {
     })
 }
 
-/// The steps of a figure as a part of a formula.
+/// Returns the steps of a quantity as a part of a formula.
 pub(super) fn part(quantity: &Quantity, leaves: &mut Vec<Leaf>) -> Part {
     match &quantity.source {
         FigureSource::Derived(derived) => derived.part(leaves),

@@ -1,12 +1,13 @@
-//! What the numbers of a scene are about.
+//! Determines the subject of a scene's value.
 
 use super::Subject;
 use crate::PointId;
 use crate::scene::{Scene, Value, ValueOwner};
 
 impl Subject {
-    /// What a value of the scene belongs to: of a load what it acts on, of a spring the line between its ends. None
-    /// where that is no part of the linkage, as of its weight.
+    /// Returns the subject of a value of the scene: for a load the loaded element, for a spring the
+    /// line between its ends. Returns `None` for a value that belongs to no part of the linkage,
+    /// such as gravity.
     #[must_use]
     pub fn of_value(scene: &Scene, value: &Value) -> Option<Subject> {
         match &value.owner {
@@ -20,7 +21,7 @@ impl Subject {
     }
 }
 
-/// The point, the link or the slide of this name: the names of a scene are all different.
+/// Returns the point, link or slide with this name; names in a scene are unique.
 fn of_element(scene: &Scene, name: &str) -> Option<Subject> {
     let mechanism = &scene.mechanism;
     let mut links = mechanism.link_ids();

@@ -1,9 +1,9 @@
-//! How figures answer to the given lengths: the derivative of each by every length, at one coordinate of
-//! the driver and on the same assembly.
+//! Computes the sensitivity of quantities to the given lengths: the derivative of each by every
+//! length, at one coordinate of the driver and in the same assembly.
 //!
-//! This says what an input that is good to 0.1 mm does to a figure, which mostly is far more than any
-//! rounding; the two are never mixed. The derivatives are those of the solver's own formulas, see
-//! [`ByLength`](crate::solver::ByLength): nothing is changed by a finite amount.
+//! The derivatives show the effect of a length that is accurate to, say, 0.1 mm. This is usually
+//! far larger than any rounding error, and the two are never mixed. The derivatives are those of
+//! the solver's own formulas, see [`ByLength`](crate::solver::ByLength), not finite differences.
 
 use super::Quantity;
 use crate::scene::Scene;
@@ -11,57 +11,58 @@ use crate::solver::{ByLength, Condition, Demand, Order, Solver, State, Workspace
 use crate::{Ball, CoordinateAxis, Dual, Length};
 use std::collections::HashMap;
 
-/// What sums of many terms leave of a derivative that is nothing, in parts of the largest term.
+/// Rounding error of a zero derivative, relative to the largest term of its sum.
 const ROUNDING: f64 = 128.0 * f64::EPSILON;
-/// Derivatives are kept ready from one coordinate to the next as long as their mechanisms are no more than
-/// this many points and links; others are made again each time.
+/// Maximum size (points and links, times lengths) up to which the differentiated mechanisms are
+/// kept from one coordinate to the next. Larger ones are created again each time.
 const MOST_KEPT: usize = 1 << 16;
 
-/// Finds the derivatives of figures by the given lengths, at one coordinate after the other.
+/// Computes the derivatives of quantities by the given lengths, at successive coordinates.
 #[derive(Clone, Debug)]
 pub struct Sensitivity {
     solver: Solver,
     figures: Vec<Quantity>,
-    /// For each figure the first one of its unit.
+    /// For each quantity, the index of the first one with its unit.
     alike: Vec<usize>,
     lengths: Vec<Length>,
     names: Vec<String>,
     demand: Demand,
     order: Order,
     base: Workspace,
-    /// Where a figure can turn over: it may do so anywhere within the bounds of what it is made of.
+    /// The enclosure for finding kinks, which may lie anywhere within the bounds of a formula's
+    /// arguments. `None` if no formula has one.
     enclosure: Option<Workspace<Ball>>,
-    /// For every length, once it was asked about and where all of them have room.
+    /// The prepared solver of every length, once used and if there is space for all.
     ready: Vec<Option<Ready>>,
 }
 
 type Ready = (ByLength, Workspace<Dual>);
 
-/// More derivatives than this, of all figures by all lengths, are more than anybody reads.
+/// Maximum number of derivatives, of all quantities by all lengths, that is useful to a reader.
 pub const MOST_DERIVATIVES: usize = 1 << 22;
 
-/// The derivatives of all figures at one coordinate.
+/// The derivatives of all quantities at one coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivatives {
     lengths: usize,
-    /// Figure by figure, for each all lengths.
+    /// The derivatives by all lengths, quantity by quantity.
     numbers: Vec<f64>,
-    /// Figure by figure: a reaction that the equilibrium leaves open has none.
+    /// Whether each quantity has derivatives. A statically indeterminate reaction has none.
     exists: Vec<bool>,
-    /// Figure by figure, whether it has a value.
+    /// Whether each quantity has a value.
     valued: Vec<bool>,
 }
 
 impl Derivatives {
-    /// The derivatives of a figure by every length: its unit per unit of length. `None` where the figure has no
-    /// value, as a reaction that the equilibrium leaves open.
+    /// Returns the derivatives of a quantity by every length, in its unit per unit of length.
+    /// Returns `None` if they do not exist, as for a statically indeterminate reaction.
     #[must_use]
     pub fn of(&self, figure: usize) -> Option<&[f64]> {
         let exists = *self.exists.get(figure)?;
         exists.then(|| &self.numbers[figure * self.lengths..(figure + 1) * self.lengths])
     }
 
-    /// Whether a figure has a value, but no derivatives: a formula that turns over just here.
+    /// Returns `true` if a quantity has a value but no derivatives: its formula has a kink here.
     #[must_use]
     pub fn lacks(&self, figure: usize) -> bool {
         let [exists, valued] =
@@ -69,21 +70,21 @@ impl Derivatives {
         valued && !exists
     }
 
-    /// By how much a figure is off at the worst, where every length is off by one unit: the sum of the
-    /// derivatives' sizes.
+    /// Returns the worst-case deviation of a quantity if every length is off by one unit: the sum
+    /// of the derivatives' magnitudes.
     #[must_use]
     pub fn worst(&self, figure: usize) -> Option<f64> {
         let all = self.of(figure)?.iter();
         Some(all.map(|d| d.abs()).sum())
     }
 
-    /// The length that matters most to a figure, by its place in the list, and the derivative by it;
-    /// `None` where no length matters.
+    /// Returns the index of the length with the largest effect on a quantity, and the derivative by
+    /// it; `None` if no length has an effect.
     #[must_use]
     pub fn most(&self, figure: usize) -> Option<(usize, f64)> {
         let all = self.of(figure)?.iter().copied().enumerate();
         let matters = all.filter(|(_, d)| *d != 0.0);
-        // The first of equals.
+        // The first of several equal ones wins.
         matters.reduce(|most, other| {
             if other.1.abs() > most.1.abs() {
                 other
@@ -95,13 +96,14 @@ impl Derivatives {
 }
 
 impl Sensitivity {
-    /// Of these figures, in a solver for the scene's mechanism with nothing left out.
+    /// Prepares the derivatives of quantities by all lengths of the scene. `solver` must be a
+    /// complete solver for the scene's mechanism.
     #[must_use]
     pub fn new(scene: &Scene, solver: &Solver, figures: &[Quantity]) -> Self {
         Sensitivity::by(scene, solver, figures, scene.mechanism.lengths())
     }
 
-    /// The same, by these lengths.
+    /// Prepares the derivatives of quantities by the given lengths.
     pub(crate) fn by(
         scene: &Scene,
         solver: &Solver,
@@ -127,21 +129,21 @@ impl Sensitivity {
         }
     }
 
-    /// The figures that are asked about.
+    /// Returns the quantities.
     #[must_use]
     pub fn figures(&self) -> &[Quantity] {
         &self.figures
     }
 
-    /// The names of the given lengths: `r3.length`, `r3.P.x`, `A.y`, `r4.through.x`.
+    /// Returns the names of the given lengths: `r3.length`, `r3.P.x`, `A.y`, `r4.through.x`.
     #[must_use]
     pub fn lengths(&self) -> &[String] {
         &self.names
     }
 
-    /// The derivatives at a coordinate of the driver. `None` where they do not exist, or would not be right to
-    /// four digits: outside the motion, at a dead point or a change point and too close to one, and where a
-    /// length that is off would jam a redundant linkage.
+    /// Computes the derivatives at a coordinate of the driver. Returns `None` if they do not exist
+    /// or would not be accurate to four digits. This is so outside the motion, at or too close to a
+    /// dead point or change point, and where a changed length would lock a redundant linkage.
     pub fn at(&mut self, at: f64) -> Option<Derivatives> {
         if self.solver.solve(at, self.order, &mut self.base) != Condition::Ok {
             return None;
@@ -198,7 +200,7 @@ impl Sensitivity {
         }
     }
 
-    /// For each figure the steps of its formula that may turn over here.
+    /// Returns, for each quantity, the steps of its formula that may be at a kink.
     fn kinks(&mut self) -> Vec<Vec<usize>> {
         let Some(enclosure) = &mut self.enclosure else {
             return vec![Vec::new(); self.figures.len()];
@@ -208,7 +210,8 @@ impl Sensitivity {
         figures.map(|figure| figure.kinks(enclosure)).collect()
     }
 
-    /// What rounding has left of derivatives that are nothing is nothing; for each figure, how much that is.
+    /// Sets derivatives that are only rounding errors to zero. Returns the threshold for each
+    /// quantity.
     fn round(&self, numbers: &mut [f64]) -> Vec<f64> {
         let count = self.lengths.len().max(1);
         let mut sizes = vec![0.0_f64; self.figures.len()];
@@ -230,8 +233,9 @@ impl Sensitivity {
     }
 }
 
-/// For each figure the first one of its unit: their derivatives are measured by the largest. What a formula makes is
-/// as large as it likes, and measured by itself.
+/// Returns, for each quantity, the index of the first one with its unit; their derivatives are
+/// compared with the largest of them. A formula's value can have any size and is compared only with
+/// itself.
 fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
     let mut first: HashMap<&str, usize> = HashMap::new();
     let numbers = figures.iter().enumerate();
@@ -242,13 +246,13 @@ fn of_one_unit(figures: &[Quantity]) -> Vec<usize> {
     alike.collect()
 }
 
-/// The derivative of a figure.
+/// Returns the derivative of a quantity.
 fn slope(figure: &Quantity, state: &State<Dual>) -> Option<f64> {
     figure.value(state).map(|dual| dual.slope)
 }
 
-/// By how much the derivatives on the sides of kinks are off their middle at the worst: each step is turned over by
-/// itself, and all of them at once.
+/// Returns the maximum deviation of the derivatives on both sides of kinks from their mean. Each
+/// step is switched to its other side separately, and then all of them at once.
 fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> f64 {
     let apart = |kinks: &[usize]| match figure.slope_beyond(kinks, state) {
         Some(beyond) if beyond.is_finite() => (beyond - slope).abs() / 2.0,
@@ -258,7 +262,7 @@ fn bend(figure: &Quantity, slope: f64, kinks: &[usize], state: &State<Dual>) -> 
     each.map(apart).fold(0.0, f64::max)
 }
 
-/// A length as the scene names it: `r3.length`, `A.x`.
+/// Returns the name of a length in the scene: `r3.length`, `A.x`.
 pub fn length_name(scene: &Scene, length: Length) -> String {
     let axis = |axis: CoordinateAxis| match axis {
         CoordinateAxis::X => "x",

@@ -1,32 +1,32 @@
-//! Where a driver is, and how it passes there.
+//! Describes a driver's coordinate together with its rates.
 
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{DriverMoment, Number};
 
-/// Where a driver is, and how it passes there where that is not by the scene's speed.
+/// A driver's coordinate, with its rates if these are not the scene's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DriverStand {
-    /// In degrees or in the scene's length unit.
+    /// The coordinate, in degrees or in the scene's length unit.
     pub at: f64,
-    /// Its speed and its acceleration there, of a scene with a motion over time.
+    /// The speed and acceleration, in a scene with a motion law.
     pub pace: Option<DriverMoment>,
 }
 
 impl DriverStand {
-    /// At a coordinate that it passes with the scene's speed.
+    /// Creates a state that passes the coordinate with the scene's speed.
     #[must_use]
     pub fn at(at: f64) -> DriverStand {
         DriverStand { at, pace: None }
     }
 
-    /// Lets the driver of these states pass so from their next solution on, see [`Solver::drive`].
+    /// Sets the driver's rates for the next solutions in this workspace, see [`Solver::drive`].
     pub fn drive<T: Number>(&self, solver: &Solver, work: &mut Workspace<T>) {
         if let Some(moment) = &self.pace {
             solver.drive(work, moment);
         }
     }
 
-    /// Solves the state in which it passes so.
+    /// Solves the mechanism in this state of the driver.
     pub fn solve(&self, solver: &Solver, order: Order, work: &mut Workspace) -> Condition {
         self.drive(solver, work);
         solver.solve(self.at, order, work)

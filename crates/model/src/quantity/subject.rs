@@ -1,54 +1,54 @@
-//! What a figure is about, and which figure it is.
+//! Identifies solver quantities by subject and aspect.
 
 use crate::expression::{Dimension, Kind, Revolution};
 use crate::scene::VectorKind;
 use crate::solver::Order;
 use crate::{LinkId, PointId, SlideId};
 
-/// What a quantity is about.
+/// The element or pair of elements that a quantity describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Subject {
     /// The driver.
     Driver,
     /// A point.
     Point(PointId),
-    /// A link: its direction and turning.
+    /// A link: its direction and rotation.
     Link(LinkId),
-    /// A slide, read as a vector from the sliding point back to `through`.
+    /// A slide, as a vector from the sliding point back to `through`.
     Slide(SlideId),
     /// The vector from one point to another.
     Between(PointId, PointId),
-    /// What the driver must do, or a share of it.
+    /// The driver's effort, or a share of it.
     Drive(Share),
     /// The force on a link at a joint.
     Joint(LinkId, PointId),
-    /// What the whole does to the frame.
+    /// The force and moment of the whole mechanism on the frame.
     Frame,
-    /// How far that misses the equilibrium of the whole.
+    /// The residual of the frame's force and moment in the equilibrium of the whole.
     FrameResidual,
 }
 
-/// A share of what the driver must do.
+/// A share of the driver's effort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Share {
-    /// All of it.
+    /// The total effort.
     Total,
-    /// Against loads and springs.
+    /// The effort against loads and springs.
     Load,
-    /// Against weights.
+    /// The effort against weights.
     Gravity,
-    /// Against inertia.
+    /// The effort against inertia.
     Inertia,
-    /// How far it misses the virtual work of all that acts.
+    /// The residual of the virtual work of all loads.
     Residual,
 }
 
 impl Share {
-    /// What stands behind the total in the order of columns.
+    /// The shares that follow the total, in the order of columns.
     pub(super) const PARTS: [Share; 4] =
         [Share::Load, Share::Gravity, Share::Inertia, Share::Residual];
 
-    /// As in a column's name, behind the figure's.
+    /// Returns the last part of the column name, following that of the quantity.
     pub(super) fn name(self) -> Option<&'static str> {
         match self {
             Share::Total => None,
@@ -70,7 +70,7 @@ impl From<VectorKind> for Subject {
     }
 }
 
-/// Which of its figures.
+/// The aspect of a subject that a quantity measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Aspect {
     /// Position along x.
@@ -85,7 +85,7 @@ pub enum Aspect {
     Ax,
     /// Acceleration along y.
     Ay,
-    /// Direction in degrees, from 0 to below 360; the driver's is not wrapped.
+    /// Direction in degrees, in [0, 360); the driver's is not wrapped.
     Angle,
     /// Angular velocity in rad/s.
     Omega,
@@ -93,13 +93,13 @@ pub enum Aspect {
     Alpha,
     /// Length; for a slide the signed position along the guide.
     Length,
-    /// The rate of the length.
+    /// First time derivative of the length.
     Rate,
-    /// The rate of the rate.
+    /// Second time derivative of the length.
     Accel,
-    /// Torque of a driver that turns, in N m, counter-clockwise.
+    /// Torque of a turning driver, in N m, counter-clockwise.
     Torque,
-    /// Force of a driver that pushes, in N, along its guide.
+    /// Force of a pushing driver, in N, along its guide.
     Force,
     /// Power in W.
     Power,
@@ -107,10 +107,10 @@ pub enum Aspect {
     Fx,
     /// Force along y in N.
     Fy,
-    /// Force of a guide on what slides, in N, along the guide's direction turned by +90 degrees.
+    /// Force of a guide on the slider, in N, along the guide's direction turned by +90 degrees.
     Normal,
-    /// Moment in N m, counter-clockwise: of a guide on a link that does not turn, about the link's
-    /// origin; of the whole on the frame, about the scene's origin.
+    /// Moment in N m, counter-clockwise: of a guide on a link without rotation about the link's
+    /// origin; of the whole on the frame about the scene's origin.
     Moment,
 }
 
@@ -123,16 +123,16 @@ impl Aspect {
         Aspect::Ax,
         Aspect::Ay,
     ];
-    /// Of what turns, by [`Order`].
+    /// The aspects of a rotating element, by [`Order`].
     pub const TURNING: [Aspect; 3] = [Aspect::Angle, Aspect::Omega, Aspect::Alpha];
-    /// On a joint.
+    /// The aspects of a joint.
     pub(super) const JOINT: [Aspect; 2] = [Aspect::Fx, Aspect::Fy];
-    /// On the frame.
+    /// The aspects of the frame.
     pub(super) const FRAME: [Aspect; 3] = [Aspect::Fx, Aspect::Fy, Aspect::Moment];
-    /// Of what changes its length, by [`Order`].
+    /// The aspects of an element of variable length, by [`Order`].
     pub const STRETCHING: [Aspect; 3] = [Aspect::Length, Aspect::Rate, Aspect::Accel];
 
-    /// As in a column's name, behind the dot.
+    /// Returns the part of the column name behind the dot.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -158,7 +158,7 @@ impl Aspect {
         }
     }
 
-    /// How far a state must be solved for it.
+    /// Returns the order to which a state must be solved for it.
     #[must_use]
     pub fn order(self) -> Order {
         match self {
@@ -175,7 +175,7 @@ impl Aspect {
         }
     }
 
-    /// What its slope over time is, if a state has that.
+    /// Returns its time derivative, if a state has it.
     pub(super) fn rate(self) -> Option<Aspect> {
         match self {
             Aspect::X => Some(Aspect::Vx),
@@ -197,7 +197,7 @@ impl Aspect {
         }
     }
 
-    /// What it measures.
+    /// Returns its dimension.
     pub(super) fn dimension(self) -> Dimension {
         let rate = |times: usize, of: Dimension| (0..times).fold(of, |of, _| of.rate());
         match self {
@@ -213,17 +213,17 @@ impl Aspect {
         }
     }
 
-    /// What it is in a formula.
+    /// Returns its kind in a formula.
     pub(super) fn kind(self, subject: Subject) -> Kind {
         match (self, subject) {
-            // The driver's angle counts its turns.
+            // The driver's angle counts turns.
             (Aspect::Angle, Subject::Driver) => Kind::direction(Revolution::Counted),
             (Aspect::Angle, _) => Kind::direction(Revolution::Wrapped),
             _ => Kind::plain(self.dimension()),
         }
     }
 
-    /// Its unit, in a scene whose lengths are in `length`.
+    /// Returns its unit, in a scene with the length unit `length`.
     #[must_use]
     pub fn unit(self, length: &str) -> String {
         self.dimension().symbol(length)

@@ -1,23 +1,23 @@
-//! Units as people write them, and what one is in another.
+//! Converts between the units in which quantities are written.
 
 use crate::expression::plain_unit;
 use crate::scene::Unit;
 
-/// The units that a figure may have been written in instead of its own.
+/// The units in which a quantity may be written instead of its own.
 const NAMES: [&str; 19] = [
     "rad", "deg", "rad/s", "deg/s", "rpm", "rad/s^2", "deg/s^2", "mm", "cm", "m", "in", "mm/s",
     "cm/s", "m/s", "in/s", "mm/s^2", "cm/s^2", "m/s^2", "in/s^2",
 ];
 
-/// What a unit measures, without the times that it is divided by.
+/// The dimension of a unit, apart from the powers of time in its denominator.
 #[derive(Clone, Copy, PartialEq)]
 enum UnitMeasure {
     Turning,
     Length,
 }
 
-/// What a figure of one unit is multiplied by for another; `None` where they measure different things or are not
-/// known. Without a unit it is taken for the other's.
+/// Returns the factor that converts from one unit to another; `None` if their dimensions differ or
+/// one is unknown. An empty `from` counts as the other unit.
 #[must_use]
 pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
     let plain = plain_unit(from);
@@ -36,7 +36,8 @@ pub fn unit_factor(from: &str, to: &str) -> Option<f64> {
     (measure == other).then_some(size / whole)
 }
 
-/// Units in which a figure may have been written instead of its own, and by how much it is to be multiplied then.
+/// Returns the units in which a quantity may be written instead of its own, with the factors that
+/// convert them.
 #[must_use]
 pub fn other_units(unit: &str) -> Vec<(&'static str, f64)> {
     let others = NAMES.into_iter().filter(|name| *name != unit);
@@ -45,7 +46,7 @@ pub fn other_units(unit: &str) -> Vec<(&'static str, f64)> {
         .collect()
 }
 
-/// The unit of the slope over time: that of degrees is in radians, as everywhere in krank.
+/// Returns the unit of the time derivative; that of degrees is rad/s, as everywhere in krank.
 #[must_use]
 pub fn rate_unit(unit: &str) -> String {
     match unit.strip_suffix("/s") {
@@ -56,14 +57,14 @@ pub fn rate_unit(unit: &str) -> String {
     }
 }
 
-/// Returns the unit that is written so, where it is one of those that are converted.
+/// Returns the unit with this spelling, if it is a convertible one.
 #[must_use]
 pub fn known_unit(unit: &str) -> Option<&'static str> {
     let plain = plain_unit(unit);
     NAMES.into_iter().find(|name| *name == plain)
 }
 
-/// What is measured, and by which times it is divided.
+/// Splits a unit into its numerator and the powers of time in its denominator.
 fn parted(unit: &str) -> (&str, &str) {
     match unit {
         "rpm" => ("rpm", "s"),
@@ -71,7 +72,8 @@ fn parted(unit: &str) -> (&str, &str) {
     }
 }
 
-/// In degrees, and in metres; of revolutions per minute what turns in a second.
+/// Returns the dimension and size of a unit, in degrees or in tenths of a millimetre. For rpm, the
+/// size is degrees per second.
 fn size(head: &str) -> Option<(UnitMeasure, f64)> {
     match head {
         "deg" => Some((UnitMeasure::Turning, 1.0)),

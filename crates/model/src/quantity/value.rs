@@ -1,18 +1,18 @@
-//! The value of a figure in a state, and its bound.
+//! Reads the value of a quantity from a state, and its bound.
 
 use super::{Aspect, Share, Subject};
 use crate::solver::{Condition, Order, Residual, State};
 use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Vec2, angle};
 
-/// The value of one figure in this state, or `None` where none exists: at a dead point there are no
-/// rates, without an assembly there is nothing but the driver, and a subject has no figures that are
-/// not its own (a point does not turn, a link keeps its length).
+/// Returns the value of a quantity in this state, or `None` if it does not exist. At a dead point
+/// there are no rates, without an assembly there is only the driver, and a subject has only its own
+/// aspects (a point does not rotate, a link keeps its length).
 #[must_use]
 pub fn value<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
     found(subject, aspect, state).filter(|v| v.is_finite())
 }
 
-/// The same, though it may be too large for a number.
+/// Returns the value of a quantity in this state, which may be infinite or NaN.
 pub(super) fn found<T: Number>(subject: Subject, aspect: Aspect, state: &State<T>) -> Option<T> {
     match subject {
         Subject::Driver => Some(driver_value(aspect, state)),
@@ -35,8 +35,8 @@ pub(super) fn found<T: Number>(subject: Subject, aspect: Aspect, state: &State<T
     }
 }
 
-/// How far a figure of this state can be from the true one, if that can be proved; `enclosure` is
-/// what [`Solver::enclose`](crate::solver::Solver::enclose) made of the state.
+/// Returns a bound on the error of a quantity in this state, if one can be proved. `enclosure` is
+/// the result of [`Solver::enclose`](crate::solver::Solver::enclose) for the state.
 #[must_use]
 pub fn bound(
     subject: Subject,
@@ -49,10 +49,10 @@ pub fn bound(
     apart(value, ball, aspect == Aspect::Angle)
 }
 
-/// How far a figure can be from the truth, which a ball holds.
+/// Returns a bound on the distance of a value from the true one, enclosed in a ball.
 pub(super) fn apart(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
-    // Directions just before and just after a full turn are close. The larger one is at least half a turn: less a turn
-    // it is exact.
+    // Directions just below and just above a full turn are close. The larger one is at least half a
+    // turn, so that subtracting a turn is exact.
     let beyond = value - ball.mid;
     if !is_direction || beyond.abs() <= angle::TURN / 2.0 {
         ball.bound(value)
@@ -63,7 +63,7 @@ pub(super) fn apart(value: f64, ball: Ball, is_direction: bool) -> Option<f64> {
     }
 }
 
-/// What a state is, in the word that the `state` column uses.
+/// Returns the word for a condition in the `state` column.
 #[must_use]
 pub fn state_word(condition: Condition) -> &'static str {
     match condition {
@@ -121,7 +121,7 @@ fn slide_value<T: Number>(slide: SlideId, aspect: Aspect, state: &State<T>) -> O
     }
 }
 
-/// A component of a force.
+/// Returns a component of a force.
 fn plane<T: Number>(force: Vec2<T>, aspect: Aspect) -> Option<T> {
     match aspect {
         Aspect::Fx => Some(force.x),
@@ -130,7 +130,7 @@ fn plane<T: Number>(force: Vec2<T>, aspect: Aspect) -> Option<T> {
     }
 }
 
-/// A turned driver has a torque, a pushed one a force.
+/// Returns the driver's effort: a torque if it turns, a force if it pushes.
 fn drive_value<T: Number>(share: Share, aspect: Aspect, state: &State<T>) -> Option<T> {
     let is_its_own = match aspect {
         Aspect::Torque => state.turns(),
@@ -151,7 +151,8 @@ fn drive_value<T: Number>(share: Share, aspect: Aspect, state: &State<T>) -> Opt
     }
 }
 
-/// Of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and once more for the second rates.
+/// Returns an aspect of r = head - tail: r' = r.v / |r|, omega = (r x v) / r.r, and likewise the
+/// second derivatives.
 fn between_value<T: Number>(
     tail: PointId,
     head: PointId,
@@ -160,7 +161,7 @@ fn between_value<T: Number>(
 ) -> Option<T> {
     let r = state.position(head)? - state.position(tail)?;
     let length = r.norm();
-    // Velocity and acceleration of the head as seen from the tail, along r and across it.
+    // Velocity and acceleration of the head relative to the tail, along r and across it.
     let split = |vector: Vec2<T>| ((r / length).dot(vector), (r / length).cross(vector));
     let first = || Some(split(state.velocity(head)? - state.velocity(tail)?));
     let second = || Some(split(state.acceleration(head)? - state.acceleration(tail)?));

@@ -1,16 +1,16 @@
-//! The smooth arcs that a law of motion is made of: in twice the digits, and with what is known of their error.
+//! Evaluates the smooth arcs of a law of motion in double-double, with error bounds.
 //!
-//! A trapezoid has three of them, a table one between every two knots: where one goes over into the next, a derivative
-//! may jump.
+//! A trapezoid has three arcs, a table one between each two knots. A derivative may jump where arcs
+//! meet.
 
 use super::{StepLaw, TimedStep};
 use crate::arithmetic::Sharp;
 use crate::{Constant, Number};
 
-/// A part of a motion on which it is one function of time.
+/// A part of a motion that is one smooth function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct MotionArc {
-    /// When it begins, in s from the beginning of the period.
+    /// The time at which it begins, in s from the beginning of the period.
     pub(super) begin: Constant,
     shape: ArcShape,
 }
@@ -26,19 +26,19 @@ enum ArcShape {
     Cycloidal(Wave),
 }
 
-/// What goes with an angle a that grows evenly with time.
+/// The constants of a shape with an angle a that grows linearly with time.
 #[derive(Clone, Debug, PartialEq)]
 struct Wave {
     from: Constant,
     way: Constant,
-    /// Of the angle, in degrees per s.
+    /// The rate of the angle, in degrees per s.
     rate: Constant,
-    /// The same in radians per s.
+    /// The rate of the angle, in radians per s.
     turn: Constant,
 }
 
 impl Wave {
-    /// The angle grows by so many half turns in a time.
+    /// Creates a wave whose angle grows by this number of half turns in the given time.
     fn new([from, to]: [f64; 2], time: f64, half_turns: f64) -> Wave {
         let [from, to, time] = [from, to, time].map(Constant::given);
         let rate = Constant::exactly(180.0 * half_turns) / time;
@@ -52,7 +52,7 @@ impl Wave {
 }
 
 impl TimedStep {
-    /// Adds its arcs, of a step that begins at a coordinate and a time.
+    /// Appends the arcs of the step, which begins at coordinate `from` and time `begin`.
     pub(super) fn add_arcs(&self, from: f64, begin: Constant, arcs: &mut Vec<MotionArc>) {
         let mut add = |after: Constant, shape: ArcShape| {
             arcs.push(MotionArc {
@@ -91,7 +91,8 @@ impl TimedStep {
     }
 }
 
-/// A speed that grows over the time r T to h / (T (1 - r)), stays, and falls as it grew.
+/// Returns the three arcs of a trapezoidal speed. The speed grows over the time r T to h / (T (1 -
+/// r)), stays constant and falls symmetrically.
 fn trapezoid([from, to]: [f64; 2], time: f64, ramp: f64) -> [(Constant, [Constant; 4]); 3] {
     let [from, to, time, ramp] = [from, to, time, ramp].map(Constant::given);
     let nothing = Constant::default();
@@ -107,7 +108,8 @@ fn trapezoid([from, to]: [f64; 2], time: f64, ramp: f64) -> [(Constant, [Constan
 }
 
 impl MotionArc {
-    /// The coordinate and its first and second derivative by time, so long after the arc began.
+    /// Returns the coordinate and its first and second time derivative, at the time `d` since the
+    /// arc began.
     pub(super) fn at(&self, d: Sharp) -> [Sharp; 3] {
         match &self.shape {
             ArcShape::Cubic(terms) => {
@@ -134,7 +136,7 @@ impl MotionArc {
                 let [from, way, rate, turn] =
                     [wave.from, wave.way, wave.rate, wave.turn].map(Sharp::of);
                 let unit = Sharp::unit(rate * d);
-                // The whole angle is 2 pi.
+                // The angle grows by 360 degrees, or 2 pi, over the step.
                 let turns = rate * d / Sharp::exactly(360.0);
                 let share = rate / Sharp::exactly(360.0);
                 let sine = unit.y * share / turn;

@@ -1,26 +1,27 @@
-//! The greatest speed and acceleration of a law of motion.
+//! Computes the maximum speed and acceleration of a law of motion.
 
 use super::{MotionLaw, StepLaw, TimedStep};
 use std::f64::consts::PI;
 
-/// What a law of motion asks for at the most. All sizes, without a sign, of the coordinate per s and s^2.
+/// The peak demands of a law of motion: magnitudes, in units of the coordinate per s and s^2.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionPeaks {
-    /// The greatest speed.
+    /// The maximum speed.
     pub speed: f64,
-    /// The greatest acceleration, where the speed does not jump.
+    /// The maximum acceleration, apart from jumps of the speed.
     pub acceleration: f64,
-    /// How long the driver rests in a period, in s.
+    /// The total dwell time in a period, in s.
     pub rest: f64,
-    /// When the speed first jumps, in s: there the acceleration is beyond all bounds.
+    /// The time of the first jump of the speed, in s. The acceleration is unbounded there.
     pub jump: Option<f64>,
 }
 
-/// Speeds that differ by less than this part of the greatest do not jump.
+/// Relative tolerance: speeds that differ by less than this fraction of the maximum do not count as
+/// a jump.
 const SAME: f64 = 1e-9;
 
 impl StepLaw {
-    /// The greatest of the first two derivatives of [`StepLaw::shape`].
+    /// Returns the maxima of the first two derivatives of the shape, in units of travel and time.
     fn peaks(self) -> [f64; 2] {
         match self {
             StepLaw::Constant => [1.0, 0.0],
@@ -35,7 +36,7 @@ impl StepLaw {
 }
 
 impl TimedStep {
-    /// The greatest speed and acceleration on the way from a coordinate.
+    /// Returns the maximum speed and acceleration of the step from a coordinate.
     fn peaks(&self, from: f64) -> [f64; 2] {
         match self {
             TimedStep::Law { law, to, time } => {
@@ -47,7 +48,7 @@ impl TimedStep {
         }
     }
 
-    /// The speeds at its beginning and its end.
+    /// Returns the speeds at the step's beginning and end.
     fn end_speeds(&self, from: f64) -> [f64; 2] {
         match self {
             TimedStep::Law {
@@ -61,7 +62,7 @@ impl TimedStep {
 }
 
 impl MotionLaw {
-    /// What it asks for at the most.
+    /// Returns the maximum speed and acceleration, the dwell time and the first jump.
     #[must_use]
     pub fn peaks(&self) -> MotionPeaks {
         let froms = std::iter::once(self.start).chain(self.steps.iter().map(TimedStep::to));
@@ -72,7 +73,7 @@ impl MotionLaw {
         });
         let rests = steps().filter(|(step, from)| step.peaks(*from)[0] == 0.0);
         let ends: Vec<[f64; 2]> = steps().map(|(step, from)| step.end_speeds(from)).collect();
-        // Before the first step it stands, or has come from the last.
+        // Before the first step, the driver is at rest or arrives from the last step.
         let mut before = ends.last().map_or(0.0, |end| end[1]);
         let begins = std::iter::once(0.0).chain(self.joints());
         let jump = ends.iter().zip(begins).find_map(|(&[first, last], time)| {
@@ -87,7 +88,7 @@ impl MotionLaw {
         }
     }
 
-    /// Its steps, one after another.
+    /// Returns the steps in order.
     #[must_use]
     pub fn steps(&self) -> &[TimedStep] {
         &self.steps

@@ -1,15 +1,17 @@
-//! When a driver that moves by a law is at a coordinate.
+//! Finds the times at which a driver that moves by a law is at a coordinate.
 
 use super::{MotionLaw, ROUNDING, TimedStep};
 
-/// Halvings of a stretch of time within which a coordinate is passed once.
+/// Number of bisections within an interval of time in which a coordinate is passed once.
 const HALVINGS: u32 = 60;
 
-/// From when to when a driver is at a coordinate, in s: one moment where it does not dwell.
+/// The interval of time, in s, during which a driver is at a coordinate; a single moment unless it
+/// dwells.
 type Stay = [f64; 2];
 
 impl TimedStep {
-    /// The times from its beginning on between which the coordinate only grows or only falls.
+    /// Returns the times, measured from the step's beginning, between which the coordinate is
+    /// monotonic.
     fn turns(&self) -> Vec<f64> {
         match self {
             TimedStep::Law { time, .. } => vec![0.0, *time],
@@ -24,7 +26,7 @@ impl TimedStep {
 }
 
 impl MotionLaw {
-    /// The stretches of its first period on which the coordinate only grows or only falls: from when to when.
+    /// Returns the intervals of the first period on which the coordinate is monotonic.
     pub(super) fn stretches(&self) -> impl Iterator<Item = [f64; 2]> {
         let begins = std::iter::once(0.0).chain(self.joints());
         let steps = self.steps.iter().zip(begins.zip(self.joints()));
@@ -34,7 +36,8 @@ impl MotionLaw {
                 .into_iter()
                 .map(|turn| begin + turn)
                 .collect::<Vec<_>>();
-            // A step ends where the next one begins, and not where its own time would end with it.
+            // A step ends where the next one begins, which can differ by rounding from the end of
+            // its own time.
             if let Some(last) = turns.last_mut() {
                 *last = end;
             }
@@ -43,7 +46,7 @@ impl MotionLaw {
         })
     }
 
-    /// The coordinate in the first period; at its end as it is reached.
+    /// Returns the coordinate in the first period; at its end, the coordinate reached.
     fn coordinate(&self, time: f64) -> f64 {
         match self.steps.last() {
             Some(last) if time >= self.period() => last.to(),
@@ -51,7 +54,8 @@ impl MotionLaw {
         }
     }
 
-    /// When it is at a coordinate in its first period, from 0 s on.
+    /// Returns the intervals during which the driver is at a coordinate in its first period, which
+    /// begins at 0 s.
     pub(super) fn stays(&self, coordinate: f64) -> Vec<Stay> {
         let mut stays = Vec::new();
         for [before, after] in self.stretches() {
@@ -67,7 +71,8 @@ impl MotionLaw {
         stays
     }
 
-    /// When a stretch that begins on one side of a coordinate and ends on the other comes there.
+    /// Finds by bisection the time at which an interval's coordinate crosses the given one. The
+    /// interval must begin and end on different sides of it.
     fn crossing(&self, [mut before, mut after]: [f64; 2], coordinate: f64) -> f64 {
         let is_below = self.coordinate(before) < coordinate;
         for _ in 0..HALVINGS {
@@ -78,8 +83,9 @@ impl MotionLaw {
         after
     }
 
-    /// When a driver that begins between two coordinates first goes beyond one of them, and which that is; one that only
-    /// comes there, but for rounding, stays within.
+    /// Returns the first time at which the driver leaves the range `[low, high]`, and the end that
+    /// it passes. The driver must begin in the range; reaching an end, up to rounding errors, does
+    /// not leave it.
     #[must_use]
     pub fn leaves(&self, [low, high]: [f64; 2]) -> Option<[f64; 2]> {
         let slack = ROUNDING * (high - low);
@@ -99,7 +105,7 @@ impl MotionLaw {
         })
     }
 
-    /// The least and the greatest coordinate of its first period.
+    /// Returns the minimum and the maximum coordinate of the first period.
     #[must_use]
     pub fn reach(&self) -> [f64; 2] {
         let ends = self.stretches().map(|[_, end]| self.coordinate(end));
@@ -108,19 +114,20 @@ impl MotionLaw {
         })
     }
 
-    /// The times of the first period at which the driver comes to a coordinate, and those at which it leaves it after a
-    /// dwell.
+    /// Returns the times of the first period at which the driver arrives at a coordinate and those
+    /// at which it leaves the coordinate after a dwell.
     pub fn meets(&self, coordinate: f64) -> impl Iterator<Item = f64> {
         self.stays(coordinate).into_iter().flatten()
     }
 
-    /// The time at which the driver is at a coordinate that lies nearest to a time, in the period of that one where it
-    /// comes back to where it began; `None` where it never is there.
+    /// Returns the time nearest to `time` at which the driver is at a coordinate. If the motion
+    /// returns to its start, only the period of `time` is searched. Returns `None` if the driver is
+    /// never there.
     #[must_use]
     pub fn nearest(&self, coordinate: f64, time: f64) -> Option<f64> {
         let periods = match self.advance == 0.0 {
             true => vec![(time / self.period()).floor()],
-            // One that goes on may go back a little before.
+            // A motion that advances may reverse a little within a period.
             false => {
                 let period = ((coordinate - self.start) / self.advance).floor();
                 [-1.0, 0.0, 1.0].map(|by| period + by).to_vec()
@@ -135,7 +142,7 @@ impl MotionLaw {
         times.min_by(|a, b| (a - time).abs().total_cmp(&(b - time).abs()))
     }
 
-    /// The first time from `low` to `high` at which the driver is at a coordinate.
+    /// Returns the first time from `low` to `high` at which the driver is at a coordinate.
     #[must_use]
     pub fn first(&self, coordinate: f64, [low, high]: [f64; 2]) -> Option<f64> {
         let periods = [low, high].map(|time| (time / self.period()).floor());
@@ -160,7 +167,7 @@ mod tests {
     use super::*;
     use crate::{ClampedSpline, StepLaw};
 
-    /// 120 deg forth in 0.5 s, 0.25 s at rest, and back in 0.25 s.
+    /// Creates a law: 120 degrees forwards in 0.5 s, 0.25 s at rest, and back in 0.25 s.
     fn forth_and_back() -> MotionLaw {
         let steps = vec![
             step(StepLaw::Harmonic, 120.0, 0.5),

@@ -1,4 +1,4 @@
-//! The direction of a link both of whose ends are known.
+//! Computes the direction of a link with two known points.
 
 use super::{ACCELERATION, Arm, Backwards, Element, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
@@ -6,7 +6,7 @@ use crate::solver::forces::{ArmSite, ForceState, Site};
 use crate::solver::state::{LinkState, State};
 use crate::{Constant, Number, PointId, Vec2};
 
-/// The direction of a link both of whose ends are known.
+/// The direction of a link with two known points.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Aim {
     pub arm: Arm,
@@ -26,7 +26,7 @@ impl Element for Aim {
         reads(PlacedPart::Point(self.end));
     }
 
-    /// With e = X - P: w = e x (V_X - V_P) / r^2, and so its rate, since e x (w^2 e) = 0.
+    /// With e = X - P: w = e x (V_X - V_P) / r^2, and alpha likewise, because e x (w^2 e) = 0.
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -68,7 +68,7 @@ impl Element for Aim {
     }
 }
 
-/// What turns the link, its ends resist.
+/// The backward pass: the link's ends resist the couple on the link.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct AimBack {
     arm: ArmSite,

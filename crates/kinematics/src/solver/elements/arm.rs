@@ -1,21 +1,22 @@
-//! Arms: what a link reaches from a known joint to one that is sought.
+//! Describes arms: the vector of a link from a known joint to an unknown one.
 
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 
-/// The end of an arm in the frame of its link, as a complex factor: direction = arm * factor.
+/// An arm of a link, with the complex factor that gives the link's direction: direction = arm *
+/// factor.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Arm {
     /// The known end.
     pub pivot: PointId,
-    /// Its length.
+    /// The arm's length.
     pub length: Constant,
-    /// Where it ends in the frame of the link.
+    /// The vector from the pivot to the other end, in the frame of the link.
     pub local: Vec2<Constant>,
-    /// The link whose direction it tells.
+    /// The link whose direction follows from the arm.
     pub link: LinkId,
-    /// The conjugate of the arm in the link's frame over the square of its length.
+    /// The conjugate of the arm in the link's frame, divided by the square of its length.
     pub factor: Vec2<Constant>,
-    /// Whether it lies along the x axis of its link, as most arms do.
+    /// Whether the arm lies along the x axis of its link, as most arms do.
     pub is_straight: bool,
 }
 
@@ -33,14 +34,14 @@ impl Arm {
         }
     }
 
-    /// The same, its end changed.
+    /// Returns the arm with its end changed by `place`.
     pub(in crate::solver) fn varied(&self, place: &mut impl FnMut(&mut Vec2<Constant>)) -> Arm {
         let mut local = self.local;
         place(&mut local);
         Arm::new(self.pivot, self.link, local)
     }
 
-    /// The direction of the link whose arm stands so.
+    /// Returns the direction of the link, given the vector of the arm.
     #[inline(always)]
     pub(in crate::solver) fn direction<T: Number>(&self, arm: Vec2<T>) -> Vec2<T> {
         if !T::IS_CHEAP && self.is_straight {

@@ -1,4 +1,4 @@
-//! RRP: a joint at a given distance from a known one and on a known line.
+//! Solves the dyad RRP: a joint at a given distance from a known joint and on a known line.
 //!
 //! With Q a point of the line, t and n along and across it, h0 = n.(P - Q) and e = X - P:
 //!
@@ -19,14 +19,14 @@ use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
 
-/// A circle and a line, RRP. The sign is the side along the line on which the point lies, seen from
-/// the foot of the pivot.
+/// A circle and a line, RRP. The sign is the side along the line on which the point lies, relative
+/// to the foot of the pivot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct CircleLine {
     pub point: PointId,
     pub arm: Arm,
     pub line: GuideLine,
-    /// 1 / length^2, which makes the product of the distances the square of a sine.
+    /// 1 / length^2, which scales the product of the reaches to the square of a sine.
     inverse_square: f64,
     pub group: usize,
 }
@@ -47,7 +47,7 @@ impl CircleLine {
         }
     }
 
-    /// The guide, the pivot as seen from its point, and h0 = n.(P - Q) with what it cuts off.
+    /// Returns the guide, the pivot relative to its point, h0 = n.(P - Q) and the chord.
     #[inline(always)]
     fn chord<T: Number>(&self, state: &State<T>) -> (GuideAt<T>, Vec2<T>, T, Chord<T>) {
         let guide = self.line.at(state);
@@ -57,8 +57,8 @@ impl CircleLine {
         (guide, from, h0, chord)
     }
 
-    /// Writes the dyad with X = P + e at s along the guide, e = root t - h0 n. The constraint
-    /// n.(V - V_line) = 0 gives w n.(k x e) = w root.
+    /// Stores the dyad with X = P + e at s along the guide, e = root t - h0 n. The constraint n.(V
+    /// - V_line) = 0 gives w n.(k x e) = w root.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -156,12 +156,12 @@ impl TwoAssemblies for CircleLine {
         self.group
     }
 
-    /// Whether within rounding the arm reaches the guide.
+    /// Returns `true` if the arm reaches the guide within rounding.
     fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
         self.chord(state).3.touches()
     }
 
-    /// The arm across the guide: positions alone.
+    /// Places the arm across the guide: positions only.
     fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
         let (guide, from, h0, _) = self.chord(state);
         let (e, s) = (-guide.n * h0, guide.t.dot(from));
@@ -175,7 +175,7 @@ impl TwoAssemblies for CircleLine {
         Some(guide.n.dot(pivot.v - guide.q.v) - turning)
     }
 
-    /// Seen from the guide.
+    /// Returns the stretching relative to the guide.
     fn stretching(&self, _q: f64, _seen_from: LinkState, state: &State) -> Option<Stretching> {
         let guide = self.line.at(state);
         let pivot = state.points[self.arm.pivot.index()];
@@ -201,7 +201,7 @@ impl TwoAssemblies for CircleLine {
             .reach()
     }
 
-    /// What the line cuts off, as it goes on in series.
+    /// Returns the chord in series.
     fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
         let mut line = self.line;
         line.along = turned(line.along, snap);
@@ -225,7 +225,7 @@ impl TwoAssemblies for CircleLine {
     }
 }
 
-/// The arm holds against what is along the line, the guide against the rest.
+/// The backward pass: the arm takes the force along the line, the guide takes the rest.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CircleLineBack {
     point: PointId,

@@ -1,4 +1,4 @@
-//! RRP on the ground: the line of [`CircleLine`](super::CircleLine) does not move.
+//! Solves the dyad RRP on the ground: a [`CircleLine`](super::CircleLine) whose line is fixed.
 
 use super::line::Chord;
 use super::through::{Cut, FEW, Snap, turned};
@@ -13,7 +13,7 @@ use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
 
-/// A circle and a line that does not move, RRP: by far the most frequent kind of slide.
+/// A circle and a fixed line, RRP: by far the most frequent kind of slide.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct CircleRail {
     pub point: PointId,
@@ -21,7 +21,7 @@ pub(in crate::solver) struct CircleRail {
     /// A point of the rail and its direction, a unit vector.
     pub through: Vec2<Constant>,
     pub along: Vec2<Constant>,
-    /// The direction of the arm's link where the arm lies along the rail.
+    /// The direction of the arm's link when the arm lies along the rail.
     aligned: Vec2<Constant>,
     inverse_square: f64,
     pub group: usize,
@@ -45,13 +45,13 @@ impl CircleRail {
         }
     }
 
-    /// t.v and n.v.
+    /// Returns the components t.v and n.v.
     #[inline(always)]
     fn seen<T: Number>(&self, v: Vec2<T>) -> Vec2<T> {
         v.turned(Vec2::of(self.along).conj())
     }
 
-    /// Where the pivot is along the rail and beside it, and what the rail cuts off.
+    /// Returns the pivot's coordinates along and across the rail, and the chord.
     #[inline(always)]
     fn chord<T: Number>(&self, state: &State<T>) -> (Vec2<T>, Chord<T>) {
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
@@ -59,7 +59,7 @@ impl CircleRail {
         (seen, Chord::new(T::of(self.arm.length), seen.y, from))
     }
 
-    /// Writes the dyad with X at s along the rail, the link in the direction d.
+    /// Stores the dyad with X at s along the rail and the link in the direction d.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -102,7 +102,8 @@ impl Element for CircleRail {
         reads(PlacedPart::Point(self.arm.pivot));
     }
 
-    /// As [`CircleLine`](super::CircleLine), with a line whose velocity and acceleration are zero: e = t (root - i h0).
+    /// Solves as [`CircleLine`](super::CircleLine) does, but the line has zero velocity and
+    /// acceleration: e = t (root - i h0).
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -197,7 +198,7 @@ impl TwoAssemblies for CircleRail {
             .reach()
     }
 
-    /// What the rail cuts off, as it goes on in series.
+    /// Returns the chord in series.
     fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> Cut {
         let t = Vec2::of(turned(self.along, snap));
         let from = state.points[self.arm.pivot.index()].p - Vec2::of(self.through);
@@ -219,7 +220,7 @@ impl TwoAssemblies for CircleRail {
     }
 }
 
-/// The arm holds against what is along the rail, the rail against the rest.
+/// The backward pass: the arm takes the force along the rail, the rail takes the rest.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CircleRailBack {
     point: PointId,

@@ -1,4 +1,4 @@
-//! RRR: a joint at given distances from two known ones.
+//! Solves the dyad RRR: a joint at given distances from two known joints.
 //!
 //! With u = Q - P from pivot to pivot, b and c the arms, e = X - P and f = X - Q:
 //!
@@ -18,24 +18,25 @@ use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, PointId, Vec2};
 
-/// So many known coefficients tell that a link does not turn.
+/// Minimum number of known coefficients to conclude that a link does not rotate.
 const SURE: usize = 8;
 
-/// Two circles, RRR. The shorter arm comes first: the point is measured from its pivot. The sign of
-/// the group is +1 where the point lies on the left of near.pivot -> far.pivot.
+/// Two circles, RRR. The shorter arm comes first: the point is computed from its pivot. The sign of
+/// the group is +1 if the point lies on the left of near.pivot -> far.pivot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Circles {
     pub point: PointId,
     pub near: Arm,
     pub far: Arm,
-    /// The squares of far - near and near + far, of which the square of the pivots' distance keeps its digits.
+    /// The squares of far - near and far + near, which are compared with the squared distance of
+    /// the pivots without loss of digits.
     least: Constant,
     most: Constant,
     /// (near - far)(near + far).
     squares: Constant,
-    /// 1 / (2 near far)^2, which makes the product of the reaches the square of a sine.
+    /// 1 / (2 near far)^2, which scales the product of the reaches to the square of a sine.
     inverse_square: f64,
-    /// Twice the distances of least and most, and how far they count as reached.
+    /// Twice the minimum and maximum distance of the pivots, and the tolerance for reaching them.
     ends: [f64; 2],
     slack: f64,
     pub group: usize,
@@ -52,7 +53,7 @@ impl Circles {
         Circles::measured(point, arms, group)
     }
 
-    /// Measures the point from this pivot.
+    /// Makes this pivot the near one, from which the point is computed.
     pub(in crate::solver) fn measure_from(&mut self, pivot: PointId) {
         if self.near.pivot != pivot {
             *self = Circles::measured(self.point, [self.far, self.near], self.group);
@@ -75,20 +76,22 @@ impl Circles {
         }
     }
 
-    /// How far the square of the pivots' distance is above the least and below the most that the arms reach.
+    /// Returns how far the squared distance of the pivots is above its minimum and below its
+    /// maximum.
     #[inline(always)]
     fn reaches<T: Number>(&self, d2: T) -> (T, T) {
         (d2 - T::of(self.least), T::of(self.most) - d2)
     }
 
-    /// What rounding leaves of the reaches: (d + slack)^2 - d^2.
+    /// Returns the tolerances of the reaches: (d + slack)^2 - d^2.
     #[inline(always)]
     fn slacks<T: Number>(&self) -> [T; 2] {
         let slack = self.slack * T::GRAIN;
         self.ends.map(|d| T::exactly(slack * (d + slack)))
     }
 
-    /// Writes the dyad where X = P + e = Q + f. V_P + w1 k x e = V_Q + w2 k x f, and e x f = s h.
+    /// Stores the dyad with X = P + e = Q + f. Uses V_P + w1 k x e = V_Q + w2 k x f, and e x f = s
+    /// h.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -120,8 +123,9 @@ impl Circles {
         state.links[self.far.link.index()] = far;
     }
 
-    /// A link that passes a change point without turning keeps its direction: a parallelogram. The root of the
-    /// height has lost coefficients of it that are known all the same.
+    /// Restores the direction of a link that passes a change point without rotating, as in a
+    /// parallelogram. The square root of the height has lost coefficients of this link which are
+    /// nevertheless known.
     pub(in crate::solver) fn translate(&self, state: &mut State<Series>) {
         let stays = |v: Series| {
             let mut rest = v.c[..v.known].iter().skip(1);
@@ -140,7 +144,7 @@ impl Circles {
         }
     }
 
-    /// From pivot to pivot.
+    /// Returns the vector from pivot to pivot.
     #[inline(always)]
     pub(in crate::solver) fn between<T: Number>(&self, state: &State<T>) -> Vec2<T> {
         let at = |pivot: PointId| state.points[pivot.index()].p;
@@ -164,11 +168,13 @@ impl Element for Circles {
         reads(PlacedPart::Point(self.far.pivot));
     }
 
-    /// X = P + (x u + s h k x u) / u.u with u = Q - P, x = (u.u + b^2 - c^2) / 2 and h twice the area
-    /// of the triangle of sides b, c, |u|: 16 A^2 = (d^2 - m^2)(M^2 - d^2), m = c - b, M = b + c.
+    /// X = P + (x u + s h k x u) / u.u with u = Q - P, x = (u.u + b^2 - c^2) / 2 and h twice the
+    /// area of the triangle of sides b, c, |u|: 16 A^2 = (d^2 - m^2)(M^2 - d^2), m = c - b, M = b +
+    /// c.
     ///
-    /// These are the factors of Kahan's product (Miscalculating Area and Angles of a Needle-like Triangle) two
-    /// by two: d is found by its square, whose digits its root would only round once more.
+    /// These are the factors of Kahan's product (Miscalculating Area and Angles of a Needle-like
+    /// Triangle), two by two. d enters by its square, because the root would only add a rounding
+    /// error.
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -228,7 +234,7 @@ impl TwoAssemblies for Circles {
         self.group
     }
 
-    /// Whether the arms reach each other within rounding, and say a direction.
+    /// Returns `true` if the arms reach each other within rounding and their direction is defined.
     fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
         let u = self.between(state);
         let d2 = u.norm2();
@@ -236,12 +242,12 @@ impl TwoAssemblies for Circles {
         let [least, most] = self.slacks::<T>();
         let is_open = (-least).exceeds(inner) || (-most).exceeds(outer);
         let slack = T::exactly(self.slack * T::GRAIN);
-        // Equal arms about one pivot: the point could be anywhere around it.
+        // With equal arms about one pivot, the point could be anywhere around it.
         d2.is_finite() && T::norm(u).exceeds(slack) && !is_open
     }
 
-    /// The arms in line: positions alone. The nearer arm keeps its length also where the pivots all but
-    /// coincide.
+    /// Places the arms in line: positions only. The near arm keeps its length even if the pivots
+    /// almost coincide.
     fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
         let u = self.between(state);
         let x = u.norm2() + T::exactly(self.squares.hi);
@@ -264,7 +270,7 @@ impl TwoAssemblies for Circles {
         (self.near.length - self.far.length).hi
     }
 
-    /// The triangle, as it goes on in series.
+    /// Returns the triangle in series.
     fn in_series(
         &self,
         _q: Series,
@@ -297,7 +303,7 @@ impl TwoAssemblies for Circles {
     }
 }
 
-/// Two arms share the force at their joint.
+/// The backward pass: two arms share the force at their joint.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CirclesBack {
     point: PointId,

@@ -1,4 +1,4 @@
-//! The driven link, and its points: the driver's coordinate is its angle.
+//! Places the driven link and its points: the driver's coordinate is the link's angle.
 
 use super::ride::Carry;
 use super::{Element, Nothing, StepOutcome};
@@ -7,7 +7,7 @@ use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, Input, LinkId, Number, PointId, Vec2};
 
-/// The driven link takes the driver's direction.
+/// The driven link, which has the driver's direction.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Crank {
     pub link: LinkId,
@@ -44,7 +44,7 @@ impl Element for Crank {
     }
 }
 
-/// A point of the driven link, at `local` from the ground point about which it turns.
+/// A point of the driven link, at `local` from the link's ground pivot.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Spin {
     pub point: PointId,

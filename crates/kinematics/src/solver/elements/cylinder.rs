@@ -1,4 +1,4 @@
-//! RRR with a driven arm: a cylinder between moving links.
+//! Solves the dyad RRR with a driven arm: a cylinder between moving links.
 
 use super::through::{SeriesTriangle, Snap, between, shifted};
 use super::{
@@ -13,33 +13,33 @@ use crate::solver::state::{LinkState, PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
-/// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder. The sign is +1
-/// where the point lies on the left of pivot -> far.pivot.
+/// An arm whose end is pushed along a guide of its own link, and a circle: a cylinder. The sign is
+/// +1 if the point lies on the left of pivot -> far.pivot.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Cylinder {
     pub point: PointId,
     pub pivot: PointId,
     pub link: LinkId,
-    /// The guide's point and direction in the frame of the link, from the pivot.
+    /// The guide's point and direction in the frame of the link, relative to the pivot.
     pub through: Vec2<Constant>,
     pub along: Vec2<Constant>,
     pub far: Arm,
     pub group: usize,
     pub slide: SlideId,
-    /// How its input follows the driver; none where it is the driver.
+    /// The law by which its input follows the driver; `None` if it is the driver.
     pub following: Option<Following>,
 }
 
-/// The triangle of a cylinder's pivots and its pin.
+/// The triangle of a cylinder's two pivots and its pin.
 #[derive(Clone, Copy)]
 struct Triangle<T> {
     /// The square of the arm, and its length.
     rho2: T,
     rho: T,
-    /// From pivot to pivot.
+    /// The vector from pivot to pivot, and its square.
     u: Vec2<T>,
     d2: T,
-    /// How far the arms are from their inner and outer reach.
+    /// The distances of the pivots from the arms' inner and outer limit.
     inner: T,
     outer: T,
     /// 16 A^2.
@@ -52,13 +52,13 @@ impl Cylinder {
         InputMotion::of(self.following.as_ref(), q)
     }
 
-    /// The arm in the frame of its link.
+    /// Returns the arm in the frame of its link.
     #[inline(always)]
     fn local<T: Number>(&self, q: T) -> Vec2<T> {
         Vec2::of(self.through) + Vec2::of(self.along) * self.input(q).p
     }
 
-    /// The square of the arm.
+    /// Returns the square of the arm.
     #[inline(always)]
     fn arm_square<T: Number>(&self, q: T) -> T {
         self.local(q).norm2()
@@ -85,7 +85,7 @@ impl Cylinder {
         }
     }
 
-    /// From the pivot to the point, for e x f = `sh`.
+    /// Returns the vector e from the pivot to the point, for e x f = `sh`.
     #[inline(always)]
     fn arm<T: Number>(&self, of: &Triangle<T>, sh: T) -> Vec2<T> {
         let c = T::of(self.far.length);
@@ -93,8 +93,8 @@ impl Cylinder {
         (of.u * x + of.u.perp() * sh) / of.d2
     }
 
-    /// Writes the dyad where X = P + e = Q + f. With tau p' the guide's direction in the ground,
-    /// V = V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau + tau p'' / p'.
+    /// Stores the dyad with X = P + e = Q + f. With tau p' the guide's direction in the ground, V =
+    /// V_P + w k x e + tau and A = A_P + alpha k x e - w^2 e + 2 w k x tau + tau p'' / p'.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -154,8 +154,8 @@ impl Element for Cylinder {
         reads(PlacedPart::Point(self.far.pivot));
     }
 
-    /// The arm is r = through + along q in its link's frame: a circle whose radius varies.
-    /// Otherwise as [`Circles`].
+    /// Solves as [`Circles`] does, but with an arm r = through + along q in its link's frame: a
+    /// circle of variable radius.
     fn run<T: Number, const ORDER: u8>(
         &self,
         q: T,
@@ -214,7 +214,7 @@ impl TwoAssemblies for Cylinder {
         self.group
     }
 
-    /// As [`Circles::is_in_reach`].
+    /// Returns `true` if the arms reach each other within rounding: see [`Circles::is_in_reach`].
     fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool {
         let of = self.triangle(q, state);
         let size = of.rho + T::exactly(self.far.length.hi);
@@ -224,19 +224,20 @@ impl TwoAssemblies for Cylinder {
         of.d2.is_finite() && has_direction && !misses(of.inner) && !misses(of.outer)
     }
 
-    /// As [`Circles::align`].
+    /// Places the arms in line: see [`Circles::align`].
     fn align<T: Number>(&self, q: T, state: &mut State<T>) {
         let of = self.triangle(q, state);
         let e = self.arm(&of, T::default());
         self.place::<T, { POSITION }>(q, e, e - of.u, T::default(), state);
     }
 
-    /// Its own reach changes.
+    /// Returns `None`, because the cylinder's own reach changes.
     fn stretch_rate<T: Number>(&self, _state: &State<T>) -> Option<T> {
         None
     }
 
-    /// Both the distance of its pivots and its own arm change: these are the two components.
+    /// Returns the stretching. The two components of its vectors are the rates of the pivots'
+    /// distance and of the cylinder's own arm, as both change.
     fn stretching(&self, q: f64, _seen_from: LinkState, state: &State) -> Option<Stretching> {
         let of = self.triangle(q, state);
         let (local, along) = (self.local(q), self.along.nearest());
@@ -277,7 +278,7 @@ impl TwoAssemblies for Cylinder {
         (self.arm_square(q.cut(1)).sqrt() - Series::of(self.far.length)).nearest()
     }
 
-    /// The triangle, as it goes on in series.
+    /// Returns the triangle in series.
     fn in_series(
         &self,
         q: Series,
@@ -308,7 +309,8 @@ impl TwoAssemblies for Cylinder {
     }
 }
 
-/// As two arms share their force; what comes along the barrel the driver holds, and its guide the rest.
+/// The backward pass: two arms share the force. The driver takes the component along the barrel,
+/// the guide takes the rest.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct CylinderBack {
     point: PointId,

@@ -1,4 +1,4 @@
-//! The dyads with two assemblies, and what can be asked of each of them.
+//! Defines the common interface of the dyads with two assemblies.
 
 use super::through::{FEW, Height, InSeries, Snap, between, squared};
 use super::{
@@ -10,7 +10,7 @@ use crate::solver::demand::PlacedPart;
 use crate::solver::state::{LinkState, State};
 use crate::{Double, LinkId, Number, PointId, Vec2};
 
-/// A dyad with two assemblies, of which the sign of its group chooses one.
+/// A dyad with two assemblies; the sign of its group selects one.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) enum Dyad<'a> {
     /// RRR.
@@ -25,7 +25,7 @@ pub(in crate::solver) enum Dyad<'a> {
     Cylinder(&'a Cylinder),
 }
 
-/// The same of every dyad.
+/// Applies the same expression to every dyad.
 macro_rules! each {
     ($dyad:expr, $d:ident => $do:expr) => {
         match $dyad {
@@ -38,22 +38,23 @@ macro_rules! each {
     };
 }
 
-/// What a dyad with two assemblies tells of itself, from the state of what it stands on.
+/// The interface of a dyad with two assemblies, given the state of its pivots and guides.
 pub(super) trait TwoAssemblies {
-    /// How it stands in series.
+    /// The dyad's representation in series.
     type InSeries: InSeries;
 
-    /// The group whose sign chooses between the two.
+    /// Returns the group whose sign selects the assembly.
     fn group(&self) -> usize;
 
-    /// Whether within rounding it still closes, in a direction that is told.
+    /// Returns `true` if it can be assembled within rounding, in a defined direction.
     fn is_in_reach<T: Number>(&self, q: T, state: &State<T>) -> bool;
 
-    /// Places it in line, as at its limit: positions alone.
+    /// Places it in line, as at its limit: positions only.
     fn align<T: Number>(&self, q: T, state: &mut State<T>);
 
-    /// The rate of what it is stretched by - the distance of its pivots, or of pivot and guide - up
-    /// to a positive factor: zero where the stretch is extreme. `None` where its own reach changes.
+    /// Returns the rate of the distance that stretches it (between the pivots, or between pivot and
+    /// guide), up to a positive factor. It is zero where the stretch is extreme. Returns `None` if
+    /// its own reach changes.
     fn stretch_rate<T: Number>(&self, state: &State<T>) -> Option<T> {
         let [a, b] = self.pivots()?.map(|point| state.points[point.index()]);
         Some((b.p - a.p).dot(b.v - a.v))
@@ -78,29 +79,29 @@ pub(super) trait TwoAssemblies {
         })
     }
 
-    /// How far it is from the extremes of its reach, as a length: negative where it is open.
+    /// Returns its distance from the extremes of its reach, as a length: negative if it is open.
     fn reserve<T: Number>(&self, q: T, state: &State<T>) -> T;
 
-    // ---- in series, about a place where it may be singular
+    // ---- in series, about a position where it may be singular
 
-    /// Its pivots, where it has two: these can meet.
+    /// Returns its pivots, if it has two, which can coincide.
     fn pivots(&self) -> Option<[PointId; 2]> {
         None
     }
 
-    /// By how much its arms differ: where these are equal the pivots can meet.
+    /// Returns the difference of its arms. If they are equal, the pivots can coincide.
     fn arms_apart(&self, _q: Series) -> f64 {
         f64::INFINITY
     }
 
-    /// What it is stretched by - the distance of its pivots squared, or the distance of pivot and
-    /// guide - where that is extreme its arms can be in line; and its size.
+    /// Returns the quantity that stretches it, and its size: the squared distance of its pivots, or
+    /// the distance of pivot and guide. Where the quantity is extreme, the arms can be in line.
     fn reach(&self, state: &State<Series>) -> [Series; 2] {
         let u = self.pivots().map(|[a, b]| between(a, b, state));
         squared(u.unwrap_or_default().map(|v| v.cut(FEW)))
     }
 
-    /// As it stands there, to so many terms.
+    /// Returns its series representation to at most this number of terms.
     fn in_series(
         &self,
         q: Series,
@@ -109,20 +110,20 @@ pub(super) trait TwoAssemblies {
         state: &State<Series>,
     ) -> Self::InSeries;
 
-    /// The square of its height where its transmission angle is right.
+    /// Returns the square of its height when its transmission angle is 90 degrees.
     fn right_angle(&self, q: Series, state: &State<Series>) -> f64;
 
-    /// Places it with this height, signed.
+    /// Places it with this signed height.
     fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>);
 }
 
-/// How far a triangle of the sides d, b, c is from being flat.
+/// Returns how far a triangle of the sides d, b, c is from being flat.
 pub(super) fn triangle_reserve<T: Number>(d: T, b: T, c: T) -> T {
     ((b + c) - d).min(d - (b - c).abs())
 }
 
 impl Dyad<'_> {
-    /// Places it at its limit, if within rounding it still closes.
+    /// Places it at its limit, if it can be assembled within rounding.
     #[cold]
     pub(in crate::solver) fn stretch<T: Number>(self, q: T, state: &mut State<T>) -> StepOutcome {
         if !each!(self, d => d.is_in_reach(q, state)) {
@@ -132,22 +133,23 @@ impl Dyad<'_> {
         StepOutcome::Stretched
     }
 
-    /// Places it in line, as at its limit: positions alone.
+    /// Places it in line, as at its limit: positions only.
     pub(in crate::solver) fn align<T: Number>(self, q: T, state: &mut State<T>) {
         each!(self, d => d.align(q, state));
     }
 
-    /// The group whose sign chooses between the two assemblies.
+    /// Returns the group whose sign selects the assembly.
     pub(in crate::solver) fn group(self) -> usize {
         each!(self, d => d.group())
     }
 
-    /// See [`TwoAssemblies::stretch_rate`].
+    /// Returns the rate of the stretch: see [`TwoAssemblies::stretch_rate`].
     pub(in crate::solver) fn stretch_rate<T: Number>(self, state: &State<T>) -> Option<T> {
         each!(self, d => d.stretch_rate(state))
     }
 
-    /// Returns how it is being stretched. `carriers` tells for every point the link that carries it, if one does.
+    /// Returns how it is being stretched. `carriers` holds, for every point, the link that carries
+    /// it, if any.
     pub(in crate::solver) fn stretching(
         self,
         q: f64,
@@ -162,30 +164,30 @@ impl Dyad<'_> {
         each!(self, d => d.stretching(q, seen_from, state))
     }
 
-    /// By how much it misses to close; 0 where it closes.
+    /// Returns the gap that prevents assembly; 0 if it can be assembled.
     pub(in crate::solver) fn gap(self, q: f64, state: &State) -> f64 {
         (-self.reserve(q, state)).max(0.0)
     }
 
-    /// See [`TwoAssemblies::reserve`].
+    /// Returns the distance from the extremes of its reach: see [`TwoAssemblies::reserve`].
     pub(in crate::solver) fn reserve<T: Number>(self, q: T, state: &State<T>) -> T {
         each!(self, d => d.reserve(q, state))
     }
 
     // ---- in series
 
-    /// See [`TwoAssemblies::reach`].
+    /// Returns the quantity that stretches it: see [`TwoAssemblies::reach`].
     pub(in crate::solver) fn reach(self, state: &State<Series>) -> [Series; 2] {
         each!(self, d => d.reach(state))
     }
 
-    /// From pivot to pivot, where it has two.
+    /// Returns the vector from pivot to pivot, if it has two pivots.
     pub(in crate::solver) fn pivots(self, state: &State<Series>) -> Option<Vec2<Series>> {
         let [a, b] = each!(self, d => d.pivots())?;
         Some(between(a, b, state))
     }
 
-    /// Whether both its pivots move.
+    /// Returns `true` if both its pivots move.
     pub(in crate::solver) fn is_afloat(self, state: &State<Series>) -> bool {
         let moves = |p: PointId| {
             let Vec2 { x, y } = state.points[p.index()].p;
@@ -194,17 +196,18 @@ impl Dyad<'_> {
         each!(self, d => d.pivots()).is_some_and(|pivots| pivots.into_iter().all(moves))
     }
 
-    /// The square of its height.
+    /// Returns the square of its height.
     pub(in crate::solver) fn square(self, q: Series, snap: Snap, state: &State<Series>) -> Series {
         each!(self, d => d.in_series(q, snap, TERMS, state).square())
     }
 
-    /// The first few terms of that, with their sizes and slopes.
+    /// Returns the first terms of the square of its height, with their sizes and slopes.
     pub(in crate::solver) fn height(self, q: Series, snap: Snap, state: &State<Series>) -> Height {
         each!(self, d => d.in_series(q, snap, FEW, state).height())
     }
 
-    /// From pivot to pivot where these may meet, that is where the arms are equal within `slack`.
+    /// Returns the vector from pivot to pivot if the pivots may coincide, that is, if the arms are
+    /// equal within `slack`.
     pub(in crate::solver) fn meeting(
         self,
         q: Series,
@@ -216,12 +219,13 @@ impl Dyad<'_> {
         Some(u.map(|v| v.c[0]))
     }
 
-    /// See [`TwoAssemblies::right_angle`].
+    /// Returns the square of its height at a right transmission angle: see
+    /// [`TwoAssemblies::right_angle`].
     pub(in crate::solver) fn right_angle(self, q: Series, state: &State<Series>) -> f64 {
         each!(self, d => d.right_angle(q, state))
     }
 
-    /// Places the dyad with this height, signed.
+    /// Places the dyad with this signed height.
     pub(in crate::solver) fn run_through(
         self,
         q: Series,
@@ -232,7 +236,8 @@ impl Dyad<'_> {
         each!(self, d => d.run_through(q, snap, height, state));
     }
 
-    /// See [`Circles::translate`]: other dyads have a guide or a driven arm.
+    /// Restores links that do not rotate: see [`Circles::translate`]. Other dyads have a guide or a
+    /// driven arm.
     pub(in crate::solver) fn translate(self, state: &mut State<Series>) {
         match self {
             Dyad::Circles(circles) => circles.translate(state),
@@ -240,7 +245,7 @@ impl Dyad<'_> {
         }
     }
 
-    /// What it places, in series.
+    /// Returns the positions and directions that it places, in series.
     pub(in crate::solver) fn placed(
         self,
         state: &State<Series>,

@@ -1,4 +1,4 @@
-//! A link that an input turns against another one: its motor sits on that.
+//! Places a link that an input turns against another link, which carries the motor.
 
 use super::{Backwards, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
@@ -7,14 +7,15 @@ use crate::solver::forces::{ForceState, Site};
 use crate::solver::state::{LinkState, State};
 use crate::{LinkId, Number, Vec2};
 
-/// One of two links between which an input's coordinate is the angle, from the other one.
+/// One of two links whose relative angle is an input's coordinate; its direction follows from the
+/// other one.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Elbow {
     pub link: LinkId,
     pub from: LinkId,
-    /// Whether it is the motor's seat that is sought, and the turned link that is known.
+    /// Whether the link carrying the motor is unknown and the turned link is known.
     pub is_seat: bool,
-    /// How the input follows the driver; none where it is the driver.
+    /// The law by which the input follows the driver; `None` if it is the driver.
     pub following: Option<Following>,
 }
 
@@ -29,7 +30,8 @@ impl Element for Elbow {
         reads(PlacedPart::Link(self.from));
     }
 
-    /// theta = theta_from + p, so that w = w_from + p' and a = a_from + p''; with -p for the seat.
+    /// theta = theta_from + p, so that w = w_from + p' and a = a_from + p''; with -p for the link
+    /// that carries the motor.
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -61,7 +63,7 @@ impl Element for Elbow {
     }
 }
 
-/// The motor holds against the couple on the link, and hands it on to the other one.
+/// The backward pass: the motor resists the couple on the link, which passes on to the other link.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct ElbowBack {
     step: Elbow,

@@ -1,11 +1,11 @@
-//! Guides as lines: a known point and a known direction, and what a circle cuts off of one.
+//! Describes guides as lines: a known point, a known direction and the chord of a circle.
 
 use super::REACH_SLACK;
 use crate::solver::demand::PlacedPart;
 use crate::solver::state::{PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 
-/// A line that is fixed in a body: through a point, along a direction of a link's frame.
+/// A line fixed in a body: through a point, along a direction of a link's frame.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct GuideLine {
     pub through: PointId,
@@ -14,7 +14,7 @@ pub(in crate::solver) struct GuideLine {
     pub along: Vec2<Constant>,
 }
 
-/// A line at one state: its point, direction and turning.
+/// A line in one state: its point, direction, normal, angular velocity and angular acceleration.
 #[derive(Clone, Copy)]
 pub(in crate::solver) struct GuideAt<T = f64> {
     pub(in crate::solver) q: PointState<T>,
@@ -25,7 +25,7 @@ pub(in crate::solver) struct GuideAt<T = f64> {
 }
 
 impl GuideLine {
-    /// What it follows.
+    /// Returns the point and the link that the line follows.
     pub(super) fn inputs(&self) -> [PlacedPart; 2] {
         [PlacedPart::Point(self.through), PlacedPart::Link(self.link)]
     }
@@ -45,7 +45,7 @@ impl GuideLine {
 }
 
 impl<T: Number> GuideAt<T> {
-    /// The point at s along the guide, with its rate and second rate.
+    /// Returns the point at s along the guide, with its rate and second rate.
     #[inline(always)]
     pub(super) fn point(&self, s: T, rate: T, second: T) -> PointState<T> {
         PointState {
@@ -55,13 +55,14 @@ impl<T: Number> GuideAt<T> {
         }
     }
 
-    /// The velocity of the guide's own material at s.
+    /// Returns the velocity of the guide's own material at s.
     #[inline(always)]
     pub(super) fn velocity(&self, s: T) -> Vec2<T> {
         self.q.v + self.n * (self.w * s)
     }
 
-    /// The acceleration at s of what slides at a constant rate: with Coriolis' part.
+    /// Returns the acceleration, Coriolis term included, of a point that slides at a constant rate
+    /// at s.
     #[inline(always)]
     pub(super) fn acceleration(&self, s: T, rate: T) -> Vec2<T> {
         let turning = self.a * s + (self.w * rate).scaled(2.0);
@@ -69,11 +70,11 @@ impl<T: Number> GuideAt<T> {
     }
 }
 
-/// What a line at distance h0 from a circle's centre cuts off: half the chord is the root of
-/// (b - h0)(b + h0).
+/// The chord of a circle on a line at distance h0 from its centre: half the chord is the square
+/// root of (b - h0)(b + h0).
 pub(super) struct Chord<T> {
     pub(super) product: T,
-    /// How far the line is from just touching the circle on either side, and the rounding of that.
+    /// The distances of the line from being tangent on either side, and their rounding tolerance.
     reaches: [T; 2],
     slack: T,
 }
@@ -95,7 +96,7 @@ impl<T: Number> Chord<T> {
         left.exceeds(self.slack) && right.exceeds(self.slack)
     }
 
-    /// Whether within rounding the line touches the circle.
+    /// Returns `true` if the line touches the circle within rounding.
     pub(super) fn touches(&self) -> bool {
         let touches = |reach: T| reach.is_finite() && !(-self.slack).exceeds(reach);
         self.reaches.into_iter().all(touches)

@@ -1,4 +1,4 @@
-//! PRP and RPP: a joint on two known lines.
+//! Solves the dyads PRP and RPP: a joint on two known lines.
 
 use super::line::GuideAt;
 use super::{ACCELERATION, Backwards, Element, GuideLine, StepOutcome, VELOCITY};
@@ -8,11 +8,11 @@ use crate::solver::state::{PointState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Number, PointId, Vec2};
 
-/// Two directions whose sine is below this are parallel: the rounding of two products of unit
-/// vectors. Guides that differ by 2^-40 are told apart.
+/// Two directions with a smaller sine count as parallel: the rounding of two products of unit
+/// vectors. Guides that differ by 2^-40 are distinguished.
 const PARALLEL: f64 = 8.0 * 0.5 * f64::EPSILON;
 
-/// PRP and RPP: the meeting of two lines.
+/// The intersection of two lines, PRP and RPP.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Lines {
     pub point: PointId,
@@ -69,8 +69,8 @@ impl Element for Lines {
     }
 }
 
-/// The meeting of two lines: X = Z1 + l t1 with l = n2.(Z2 - Z1) / n2.t1, and the same determinant
-/// for the rates, seen along n2.
+/// Returns the intersection of two lines: X = Z1 + l t1 with l = n2.(Z2 - Z1) / n2.t1. The rates
+/// have the same determinant and are taken along n2.
 #[inline(always)]
 fn meet<T: Number, const ORDER: u8>(one: &GuideAt<T>, two: &GuideAt<T>) -> Option<PointState<T>> {
     let det = two.n.dot(one.t);
@@ -93,7 +93,7 @@ fn meet<T: Number, const ORDER: u8>(one: &GuideAt<T>, two: &GuideAt<T>) -> Optio
     Some(one.point(l, rate, second))
 }
 
-/// The two lines part the force at their joint between their normals.
+/// The backward pass: the force at the joint is resolved along the normals of the two lines.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct LinesBack {
     point: PointId,

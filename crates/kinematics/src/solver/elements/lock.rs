@@ -1,4 +1,4 @@
-//! A link that keeps its angle to another one.
+//! Places a link that keeps its angle to another link.
 
 use super::{Backwards, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
@@ -6,7 +6,7 @@ use crate::solver::forces::{ForceState, Site};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, Vec2};
 
-/// A link that keeps its angle to another one.
+/// A link that keeps its angle to another link.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Lock {
     pub link: LinkId,
@@ -47,7 +47,7 @@ impl Element for Lock {
     }
 }
 
-/// The lock hands the couple on.
+/// The backward pass: the lock passes the couple on.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct LockBack {
     link: LinkId,

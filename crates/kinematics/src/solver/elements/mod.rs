@@ -2,10 +2,10 @@
 //!
 //! # In the source
 //!
-//! A file for each element; the table [`elements!`] lists them all. A new element is its file, a line there,
-//! and its recognition in a block of unknowns ([`super::chain`]); a dyad with two assemblies is also one of
-//! [`Dyad`], has a class in [`super::plan`], and says at its recognition through which slide and over which links
-//! it holds its joint.
+//! Each element has a file; the table [`elements!`] lists them all. A new element needs its file,
+//! an entry there, and its recognition in a block of unknowns ([`super::chain`]). A dyad with two
+//! assemblies is also a variant of [`Dyad`] and has a class in [`super::plan`]. Its recognition
+//! names the slide and the links through which it holds its joint.
 
 mod aim;
 mod arm;
@@ -55,48 +55,49 @@ use super::transmission::{InnerJoint, Ray};
 use crate::{Constant, Number, Vec2};
 use dyad::{TwoAssemblies, triangle_reserve};
 
-/// How many derivatives a solve carries, as a constant of the compiled code.
+/// The number of derivatives that a solve computes, as constants of the compiled code.
 pub(super) const POSITION: u8 = 0;
 pub(super) const VELOCITY: u8 = 1;
 pub(super) const ACCELERATION: u8 = 2;
 
-/// How far beyond its reach a group still counts as just stretched: 4 u of the lengths, the
-/// rounding of a computed distance. Less would refuse limits that were typed in exactly; more would
-/// clamp states that really are open.
+/// Tolerance for a group at its limit: 4 u of the lengths, the rounding of a computed distance. A
+/// smaller value would reject exactly typed limits; a larger one would clamp states that are really
+/// open.
 pub(super) const REACH_SLACK: f64 = 4.0 * 0.5 * f64::EPSILON;
 
-/// What became of a step.
+/// The outcome of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum StepOutcome {
     /// Solved.
     Done,
-    /// So close to its limit that rounding decides: [`Dyad::stretch`] looks closer.
+    /// So close to the limit that rounding matters: [`Dyad::stretch`] decides.
     Unclear,
-    /// Stretched to its limit: positions are given, derivatives do not exist.
+    /// Stretched to the limit: positions exist, derivatives do not.
     Stretched,
-    /// Cannot close.
+    /// Cannot be assembled.
     Open,
 }
 
-/// What an element tells of itself.
+/// The common interface of the elements.
 pub(super) trait Element {
-    /// Whether most mechanisms have it: then it is run in place.
+    /// Whether most mechanisms contain it; then its code is inlined.
     const IS_FREQUENT: bool = false;
 
-    /// Whether its residuals tell its errors (see `bounds`); else it is run once more in twice the digits.
+    /// Whether its residuals determine its error bounds (see `bounds`); if not, it is also run in
+    /// double-double.
     const HAS_RESIDUALS: bool = false;
 
-    /// The same backwards.
+    /// The element's backward pass.
     type Back: Backwards;
 
-    /// Says of everything that it places that it does.
+    /// Calls `places` for everything that the element places.
     fn outputs(&self, places: &mut impl FnMut(PlacedPart));
 
-    /// Says of everything that it reads that it does.
+    /// Calls `reads` for everything that the element reads.
     fn inputs(&self, reads: &mut impl FnMut(PlacedPart));
 
-    /// Places what it places at the driver's coordinate `q`; `direction` is its unit vector where it is an
-    /// angle.
+    /// Computes the element's outputs at the driver's coordinate `q`. If that is an angle,
+    /// `direction` is its unit vector.
     fn run<T: Number, const ORDER: u8>(
         &self,
         q: T,
@@ -104,35 +105,36 @@ pub(super) trait Element {
         state: &mut State<T>,
     ) -> StepOutcome;
 
-    /// Hands out every place that it was made of, always in the same order, and follows what becomes of it.
+    /// Passes every local position of the element to `place`, always in the same order, and updates
+    /// itself with the changed values.
     fn vary(&mut self, _place: &mut impl FnMut(&mut Vec2<Constant>)) {}
 
-    /// The way backwards at its site; `None` where nothing comes back.
+    /// Returns the element's backward pass at its site; `None` if it has none.
     fn back(&self, site: &Site<'_>) -> Option<Self::Back>;
 
-    /// The dyad with two assemblies, if it is one.
+    /// Returns the dyad with two assemblies, if the element is one.
     fn dyad(&self) -> Option<Dyad<'_>> {
         None
     }
 
-    /// The two lines at its inner joint, between which its transmission angle lies.
+    /// Returns the two lines at its inner joint that enclose its transmission angle.
     fn rays(&self, _state: &State) -> Option<[Ray; 2]> {
         None
     }
 
-    /// That joint, if it has one.
+    /// Returns the inner joint, if the element has one.
     fn inner_joint(&self) -> Option<InnerJoint> {
         None
     }
 }
 
-/// An element, run backwards.
+/// The backward pass of an element.
 pub(super) trait Backwards {
-    /// Hands what has come to what it placed down to what it stands on, and notes what passes there.
+    /// Transfers the forces on the element's outputs to its inputs, and records the joint forces.
     fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>);
 }
 
-/// No way backwards.
+/// The backward pass of elements without one.
 #[derive(Clone, Debug)]
 pub(super) enum Nothing {}
 
@@ -142,26 +144,26 @@ impl Backwards for Nothing {
     }
 }
 
-// Twice the size would be aligned to as much, and could lie across the end of a page again.
+// Twice the size would double the alignment, and a step could cross the end of a page again.
 const _: () = assert!(size_of::<Step>() == 512);
 
 macro_rules! elements {
     ($($name:ident),+ $(,)?) => {
-        /// One element of a plan. It never lies across the end of a page of memory: some processors take as long for
-        /// reading there as for a whole state.
+        /// One element of a plan. The alignment keeps it from crossing the end of a memory page:
+        /// some processors take as long to read there as to solve a whole state.
         #[derive(Clone, Debug)]
         #[repr(align(512))]
         pub(super) enum Step {
             $($name($name),)+
-            /// A coupled group, by its number.
+            /// A coupled group, by its index.
             Coupled { index: usize },
         }
 
-        /// One element backwards.
+        /// The backward pass of one element.
         #[derive(Clone, Debug)]
         pub(super) enum Pass {
             $($name(<$name as Element>::Back),)+
-            /// A coupled group, by its number.
+            /// A coupled group, by its index.
             Coupled { index: usize },
         }
 
@@ -172,7 +174,7 @@ macro_rules! elements {
         })+
 
         impl Step {
-            /// See [`Element::run`].
+            /// Runs the element: see [`Element::run`].
             #[inline(always)]
             pub(super) fn run<T: Number, const ORDER: u8>(
                 &self,
@@ -182,12 +184,12 @@ macro_rules! elements {
             ) -> StepOutcome {
                 match self {
                     $(Step::$name(element) => element.run::<T, ORDER>(q, direction, state),)+
-                    // Coupled groups are run by the solver, which owns them.
+                    // The solver owns and runs the coupled groups.
                     Step::Coupled { .. } => StepOutcome::Done,
                 }
             }
 
-            /// The same, of those that most mechanisms have.
+            /// Runs the element if most mechanisms contain it; returns `None` for other elements.
             #[inline(always)]
             pub(super) fn run_frequent<T: Number, const ORDER: u8>(
                 &self,
@@ -203,7 +205,7 @@ macro_rules! elements {
                 }
             }
 
-            /// See [`Element::HAS_RESIDUALS`].
+            /// Returns [`Element::HAS_RESIDUALS`] of the element.
             pub(super) fn has_residuals(&self) -> bool {
                 match self {
                     $(Step::$name(_) => $name::HAS_RESIDUALS,)+
@@ -211,7 +213,7 @@ macro_rules! elements {
                 }
             }
 
-            /// The dyad with two assemblies, if it is one.
+            /// Returns the dyad with two assemblies, if the element is one.
             pub(super) fn dyad(&self) -> Option<Dyad<'_>> {
                 match self {
                     $(Step::$name(element) => element.dyad(),)+
@@ -219,7 +221,7 @@ macro_rules! elements {
                 }
             }
 
-            /// The lines between which its transmission angle lies.
+            /// Returns the lines that enclose the transmission angle.
             pub(super) fn rays(&self, state: &State) -> Option<[Ray; 2]> {
                 match self {
                     $(Step::$name(element) => element.rays(state),)+
@@ -227,7 +229,7 @@ macro_rules! elements {
                 }
             }
 
-            /// The joint with a transmission angle, if it has one.
+            /// Returns the joint with a transmission angle, if the element has one.
             pub(super) fn inner_joint(&self) -> Option<InnerJoint> {
                 match self {
                     $(Step::$name(element) => element.inner_joint(),)+
@@ -235,7 +237,7 @@ macro_rules! elements {
                 }
             }
 
-            /// Says of everything that it places that it does.
+            /// Calls `places` for everything that the element places.
             pub(super) fn outputs(&self, coupled: &[Coupled], places: &mut impl FnMut(PlacedPart)) {
                 match self {
                     $(Step::$name(element) => element.outputs(places),)+
@@ -243,7 +245,7 @@ macro_rules! elements {
                 }
             }
 
-            /// Says of everything that it reads that it does.
+            /// Calls `reads` for everything that the element reads.
             pub(super) fn inputs(&self, coupled: &[Coupled], reads: &mut impl FnMut(PlacedPart)) {
                 match self {
                     $(Step::$name(element) => element.inputs(reads),)+
@@ -251,7 +253,7 @@ macro_rules! elements {
                 }
             }
 
-            /// See [`Element::vary`].
+            /// Varies the element's local positions: see [`Element::vary`].
             pub(super) fn vary(
                 &mut self,
                 coupled: &mut [Coupled],
@@ -263,7 +265,7 @@ macro_rules! elements {
                 }
             }
 
-            /// The way backwards at its site.
+            /// Returns the element's backward pass at its site.
             pub(super) fn back(&self, site: &Site<'_>) -> Option<Pass> {
                 match self {
                     $(Step::$name(element) => element.back(site).map(Pass::$name),)+
@@ -273,12 +275,12 @@ macro_rules! elements {
         }
 
         impl Pass {
-            /// See [`Backwards::run`].
+            /// Runs the backward pass: see [`Backwards::run`].
             #[inline(always)]
             pub(super) fn run<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
                 match self {
                     $(Pass::$name(back) => back.run(state, forces),)+
-                    // Coupled groups are run by the engine, which owns them.
+                    // The engine owns and runs the coupled groups.
                     Pass::Coupled { .. } => {}
                 }
             }
@@ -293,7 +295,7 @@ elements! {
 }
 
 impl Step {
-    /// The number of the coupled group, if it is one.
+    /// Returns the index of the coupled group, if the step is one.
     pub(super) fn coupled(&self) -> Option<usize> {
         match self {
             Step::Coupled { index } => Some(*index),
@@ -301,7 +303,7 @@ impl Step {
         }
     }
 
-    /// The group whose sign chooses between the two assemblies of this step, if it has two.
+    /// Returns the group whose sign selects the assembly of this step, if it has two assemblies.
     pub(super) fn choice(&self) -> Option<usize> {
         self.dyad().map(Dyad::group)
     }

@@ -1,4 +1,4 @@
-//! A driven slide: its input's coordinate is its way along the guide.
+//! Places a driven slide: its input's coordinate is its position along the guide.
 
 use super::ride::carried;
 use super::{Backwards, Element, StepOutcome};
@@ -8,7 +8,8 @@ use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::State;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
-/// A driven slide: the point lies at `along p` on a link, seen from `base`, with p the coordinate of its input.
+/// A driven slide: the point lies at `along p` on a link, relative to `base`, with p the coordinate
+/// of its input.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Push {
     pub point: PointId,
@@ -16,7 +17,7 @@ pub(in crate::solver) struct Push {
     pub link: LinkId,
     pub along: Vec2<Constant>,
     pub slide: SlideId,
-    /// How its input follows the driver; none where it is the driver.
+    /// The law by which its input follows the driver; `None` if it is the driver.
     pub following: Option<Following>,
 }
 
@@ -32,8 +33,8 @@ impl Element for Push {
         reads(PlacedPart::Link(self.link));
     }
 
-    /// As a point that rides on the link, and with tau the guide's direction V' = V + p' tau and
-    /// A' = A + 2 w p' k x tau + p'' tau.
+    /// Like a point that rides on the link, plus, with tau the guide's direction, V' = V + p' tau
+    /// and A' = A + 2 w p' k x tau + p'' tau.
     #[inline(always)]
     fn run<T: Number, const ORDER: u8>(
         &self,
@@ -65,7 +66,7 @@ impl Element for Push {
     }
 }
 
-/// The driver holds against what comes along the guide, the guide against the rest.
+/// The backward pass: the driver takes the force along the guide, the guide takes the rest.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct PushBack {
     step: Push,

@@ -1,4 +1,4 @@
-//! A point that rides on a link whose direction and another point of which are known.
+//! Places a point that rides on a link with a known direction and another known point.
 
 use super::{ACCELERATION, Backwards, Element, StepOutcome, VELOCITY};
 use crate::solver::demand::PlacedPart;
@@ -6,7 +6,7 @@ use crate::solver::forces::{ForceState, Site, Slot};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Constant, LinkId, Number, PointId, Vec2};
 
-/// A point at `local` on a link, seen from another point of the same link.
+/// A point at `local` on a link, relative to another point of the same link.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Ride {
     pub point: PointId,
@@ -15,7 +15,7 @@ pub(in crate::solver) struct Ride {
     pub local: Vec2<Constant>,
 }
 
-/// X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
+/// Computes X = P + R(d) r, V = V_P + w k x r, A = A_P + alpha k x r - w^2 r.
 #[inline(always)]
 pub(super) fn carried<T: Number, const ORDER: u8>(
     base: &PointState<T>,
@@ -73,12 +73,12 @@ impl Element for Ride {
     }
 }
 
-/// A point of a link, seen from another one: the link carries its force there.
+/// The backward pass of a point of a link: the link carries the force from the point to the base.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Carry {
     points: [PointId; 2],
     link: LinkId,
-    /// The force on the link at the point, and at the base.
+    /// The slots for the force on the link at the point and at the base.
     slots: [Slot; 2],
 }
 

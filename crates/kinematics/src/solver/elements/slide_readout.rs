@@ -1,4 +1,4 @@
-//! What a slide's table shows: its way along the guide.
+//! Computes a slide's position and rates along its guide.
 
 use super::{Element, GuideLine, Nothing, StepOutcome};
 use crate::solver::demand::PlacedPart;
@@ -6,7 +6,7 @@ use crate::solver::forces::Site;
 use crate::solver::state::{LinkState, State, TravelState};
 use crate::{Number, PointId, SlideId, Vec2};
 
-/// What a slide's table shows.
+/// The position and rates of a slide along its guide.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct SlideReadout {
     pub slide: SlideId,

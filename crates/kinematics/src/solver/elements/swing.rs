@@ -1,4 +1,4 @@
-//! RPR: an arm that turns about a known joint and slides through another one.
+//! Solves the dyad RPR: an arm that turns about a known joint and slides through another one.
 
 use super::through::{Height, InSeries, Snap, between, quotient, shifted, squared};
 use super::{
@@ -12,8 +12,8 @@ use crate::solver::state::{LinkState, State};
 use crate::solver::transmission::{InnerJoint, Ray};
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 
-/// An arm that turns about a pivot and slides through a pin, RPR. The sign is that of
-/// t.(pin - pivot).
+/// An arm that turns about a pivot and slides through a pin, RPR. The sign is that of t.(pin -
+/// pivot).
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Swing {
     pub pivot: PointId,
@@ -21,13 +21,14 @@ pub(in crate::solver) struct Swing {
     pub link: LinkId,
     /// The guide's direction in the link's frame: a unit vector.
     pub along: Vec2<Constant>,
-    /// n.(pin - pivot): how far the guide passes the pivot.
+    /// n.(pin - pivot): the distance of the guide from the pivot.
     pub offset: Constant,
     pub group: usize,
 }
 
 impl Swing {
-    /// From the pivot to the pin, the distance and its square, and its rounding.
+    /// Returns the vector from the pivot to the pin, its length and square, and the rounding
+    /// tolerance.
     #[inline(always)]
     fn stretched<T: Number>(&self, state: &State<T>) -> (Vec2<T>, T, T, T) {
         let pin = state.points[self.pin.index()].p;
@@ -38,7 +39,7 @@ impl Swing {
         (w, d, d2, size.scaled(REACH_SLACK * T::GRAIN))
     }
 
-    /// Writes the arm with its guide along t, the pin at s along it.
+    /// Stores the arm with its guide along t and the pin at s along it.
     #[inline(always)]
     pub(in crate::solver) fn place<T: Number, const ORDER: u8>(
         &self,
@@ -104,7 +105,7 @@ impl Element for Swing {
     }
 
     fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
-        // As a place it is across the guide.
+        // As a position, the offset is across the guide.
         let mut beside = Vec2::new(Constant::default(), self.offset);
         place(&mut beside);
         self.offset = beside.y;
@@ -141,14 +142,15 @@ impl TwoAssemblies for Swing {
         self.group
     }
 
-    /// Whether within rounding the guide reaches the line from pivot to pin, and that has a direction.
+    /// Returns `true` if the pin reaches the guide within rounding and the line from pivot to pin
+    /// has a direction.
     fn is_in_reach<T: Number>(&self, _q: T, state: &State<T>) -> bool {
         let (_, d, d2, slack) = self.stretched(state);
         let reach = d - T::of(self.offset).abs();
         d.is_finite() && d2.exceeds(T::default()) && !(-slack).exceeds(reach)
     }
 
-    /// The guide across the line from pivot to pin: positions alone.
+    /// Places the guide across the line from pivot to pin: positions only.
     fn align<T: Number>(&self, _q: T, state: &mut State<T>) {
         let (w, _, d2, _) = self.stretched(state);
         let across = Vec2::new(T::default(), -T::of(self.offset));
@@ -169,7 +171,7 @@ impl TwoAssemblies for Swing {
         self.offset.hi
     }
 
-    /// From pivot to pin and past the pivot, in series.
+    /// Returns the vector from pivot to pin and the guide's offset, in series.
     fn in_series(&self, _q: Series, snap: Snap, terms: usize, state: &State<Series>) -> SeriesWay {
         let w = shifted(between(self.pivot, self.pin, state), snap, terms);
         let offset = if snap.equal_arms {
@@ -192,7 +194,7 @@ impl TwoAssemblies for Swing {
     }
 }
 
-/// From pivot to pin, and how far the guide passes the pivot, in series.
+/// The vector from pivot to pin and the guide's offset from the pivot, in series.
 pub(super) struct SeriesWay {
     w: Vec2<Series>,
     e: Series,
@@ -214,7 +216,7 @@ impl InSeries for SeriesWay {
     }
 }
 
-/// The couple on the arm presses its guide on the pin.
+/// The backward pass: the couple on the arm presses its guide against the pin.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct SwingBack {
     pivot: PointId,
@@ -223,7 +225,7 @@ pub(in crate::solver) struct SwingBack {
     along: Vec2<Constant>,
     slot: Slot,
     slide: Option<SlideId>,
-    /// The links between the pin and the slide: each feels the force at both ends.
+    /// The links between the pin and the slide, each loaded by the force at both ends.
     legs: Vec<LegSite>,
 }
 

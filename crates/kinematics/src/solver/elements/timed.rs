@@ -1,4 +1,4 @@
-//! A further link that an input turns: its angle follows the driver's coordinate.
+//! Places a further link turned by an input whose angle follows the driver's coordinate.
 
 use super::{Backwards, Element, StepOutcome};
 use crate::solver::demand::PlacedPart;
@@ -41,7 +41,8 @@ impl Element for Timed {
     }
 }
 
-/// The driver holds against the couple on the link, by way of what makes it follow.
+/// The backward pass: the driver resists the couple on the link, through the law by which it
+/// follows.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct TimedBack {
     step: Timed,

@@ -1,23 +1,23 @@
-//! How far a state is from the reference.
+//! Measures the difference between a state and the reference.
 
 use crate::solver::Solver;
 use crate::solver::state::State;
 use crate::{Ball, Double, LinkId, Mechanism, Number, PointId, Vec2};
 
-/// Sizes of positions, velocities and accelerations: of differences, or of themselves. Derivatives are
-/// those by the driver's coordinate; lengths are parts of the longest one.
+/// Magnitudes of positions, velocities and accelerations, or of their differences. Derivatives are
+/// by the driver's coordinate; lengths are relative to the longest one.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Deviation {
-    /// Of positions, in longest lengths.
+    /// The position, relative to the longest length.
     pub position: f64,
-    /// Of first derivatives by the driver's coordinate.
+    /// The first derivative by the driver's coordinate.
     pub velocity: f64,
-    /// Of second derivatives by the driver's coordinate.
+    /// The second derivative by the driver's coordinate.
     pub acceleration: f64,
 }
 
 impl Deviation {
-    /// The larger of each.
+    /// Returns the component-wise maximum.
     pub fn max(self, other: Deviation) -> Deviation {
         Deviation {
             position: self.position.max(other.position),
@@ -28,17 +28,17 @@ impl Deviation {
 
     /// Returns `true` if no value is infinite or NaN.
     pub fn is_finite(self) -> bool {
-        // A sum of sizes is finite where each of them is.
+        // A sum of magnitudes is finite only if each is.
         (self.position + self.velocity + self.acceleration).is_finite()
     }
 }
 
-/// What is looked at in a state.
+/// The compared points and links of a state.
 pub(super) struct Subjects {
     /// The scene's moving points.
     points: Vec<PointId>,
-    /// Links that bear a single point, so that their turning shows in none: they count as if they bore
-    /// another one at the longest length.
+    /// The links with a single point, whose rotation no point shows. They count as if they carried
+    /// another point at the longest length.
     links: Vec<LinkId>,
     /// The longest length in the solver's unit.
     pub(super) longest: f64,
@@ -55,7 +55,8 @@ impl Subjects {
         }
     }
 
-    /// The largest differences of a state from the reference; not finite where it is not.
+    /// Returns the maximum differences of a state from the reference; not finite if the state is
+    /// not.
     pub(super) fn deviation<T: Number>(
         &self,
         state: &State<T>,
@@ -74,7 +75,7 @@ impl Subjects {
         )
     }
 
-    /// The largest velocity and acceleration of a state.
+    /// Returns the maximum velocity and acceleration of a state.
     pub(super) fn sizes(&self, state: &State<Double>) -> Deviation {
         self.gather(
             |p| {
@@ -88,7 +89,7 @@ impl Subjects {
         )
     }
 
-    /// Whether every figure of the reference lies in its ball, and every ball has an end.
+    /// Returns `true` if every ball is bounded and contains the value of the reference.
     pub(super) fn hold(&self, enclosure: &State<Ball>, reference: &State<Double>) -> bool {
         let holds = |ball: Vec2<Ball>, value: Vec2<Double>| {
             let inside = |ball: Ball, value: Double| {
@@ -113,7 +114,7 @@ impl Subjects {
             .iter()
             .map(|p| of_point(p).map(|v| v / self.longest));
         let links = self.links.iter().map(of_link);
-        // Written so that NaN stays.
+        // Negated so that NaN persists.
         let larger = |a: f64, b: f64| if b <= a { a } else { b };
         let [position, velocity, acceleration] =
             points.chain(links).fold([0.0; 3], |most, here| {
@@ -127,7 +128,7 @@ impl Subjects {
     }
 }
 
-/// The distance of two vectors.
+/// Returns the distance of two vectors.
 fn apart<T: Number>(one: Vec2<T>, two: Vec2<Double>) -> f64 {
     let one: Vec2<Double> = one.nearest().exactly();
     (one - two).nearest().norm()

@@ -1,21 +1,22 @@
-//! The unknowns of all groups as a system of differential equations: an integration drifts with it.
+//! Treats the unknowns of all groups as a system of differential equations, whose integration
+//! drifts.
 
 use super::{Deviation, Methods, run};
 use crate::solver::Workspace;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 
-/// Unknowns that move by their rates alone; whether the loops stay closed nobody asks.
+/// The unknowns integrated by their rates alone; nothing keeps the loops closed.
 pub struct DriftMethod {
     state: Workspace,
-    /// z of all groups at the beginning of a step.
+    /// The unknowns z of all groups at the beginning of a step.
     base: Vec<f64>,
-    /// Where each group begins in the base and among the unknowns.
+    /// The index where each group begins in the base and among the unknowns.
     starts: Vec<[usize; 2]>,
     unknowns: usize,
 }
 
 impl Methods {
-    /// A system at the state that was looked up last.
+    /// Creates a system at the state looked up last.
     pub fn drift(&self) -> Option<DriftMethod> {
         let engine = &self.rows.as_ref()?.engine;
         let mut state = engine.state::<f64>(self.slides);
@@ -34,25 +35,25 @@ impl Methods {
         })
     }
 
-    /// How far the drift's last state is from the one that was looked up last.
+    /// Returns the deviation of the drifted state from the one looked up last.
     pub fn drifted(&self, drift: &DriftMethod) -> Deviation {
         self.subjects.deviation(&drift.state, &self.reference)
     }
 
-    /// A step of the driver's coordinate as derivatives count it.
+    /// Returns the step between two driver coordinates, in the unit of derivatives.
     pub fn difference(&self, from: f64, to: f64) -> f64 {
         self.solver.engine.difference(from, to)
     }
 }
 
 impl DriftMethod {
-    /// How many unknowns there are.
+    /// Returns the number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.unknowns
     }
 
-    /// The rates of the unknowns by the driver's coordinate at `at`, changed from the base by
-    /// `change`; `None` where they do not exist.
+    /// Computes the rates of the unknowns by the driver's coordinate at `at`, with the unknowns
+    /// changed from the base by `change`. Returns `None` if they do not exist.
     pub fn rates(
         &mut self,
         methods: &Methods,
@@ -80,7 +81,7 @@ impl DriftMethod {
         Some(())
     }
 
-    /// Moves the base.
+    /// Adds `change` to the base.
     pub fn advance(&mut self, methods: &Methods, change: &[f64]) {
         let Some(rows) = &methods.rows else { return };
         for (group, &[from, first]) in rows.engine.program.coupled.iter().zip(&self.starts) {
@@ -91,7 +92,7 @@ impl DriftMethod {
         }
     }
 
-    /// Works out the state at the base, with all rates; whether there is one.
+    /// Computes the state at the base, with all rates. Returns `false` if it does not exist.
     pub fn settle(&mut self, methods: &Methods, at: f64) -> bool {
         let Some(rows) = &methods.rows else {
             return false;

@@ -1,63 +1,63 @@
-//! The methods that are set against each other, and why one of them cannot be used.
+//! Defines the compared methods, and the reasons why one cannot be used.
 
 use crate::PointId;
 
-/// Where Newton's method begins.
+/// The initial value of Newton's method.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
-    /// At the position before, a degree away, or a 360th of the range.
+    /// The previous position, a degree away or a 360th of the range.
     Warm,
-    /// Where the scene opens, whatever the position.
+    /// The start position of the scene, for every position.
     Cold,
 }
 
-/// A way from the driver's coordinate to a state.
+/// A method for computing a state from the driver's coordinate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Method {
-    /// Every dyad in closed form: what the solver does where there are only dyads.
+    /// Every dyad in closed form, as the solver does for mechanisms of dyads only.
     ClosedForm,
-    /// The closed form, and one correction from a residual of twice the precision.
+    /// The closed form, with one correction by a residual in double-double.
     Polished,
-    /// Newton's method from the nearest state that was kept: what the solver does for coupled groups.
+    /// Newton's method from the nearest stored state, as the solver does for coupled groups.
     Anchored,
-    /// What the solver does, and a proven bound for every figure.
+    /// The solver's method, with a proven error bound for every value.
     Bounded,
-    /// The same formulas in single precision.
+    /// The solver's formulas in single precision.
     Single,
     /// Newton's method as in textbooks: full steps until one is smaller than the tolerance.
     Newton {
-        /// In radians, and in parts of about the longest length.
+        /// The tolerance in radians, and relative to about the longest length.
         tolerance: f64,
-        /// Where it begins.
+        /// The initial value.
         start: Start,
     },
-    /// Halving an interval of the one unknown angle of each group.
+    /// Bisection for the one unknown angle of each group.
     Bisection,
-    /// Runge and Kutta's method of fourth order on the velocities, from the beginning of the cycle.
+    /// The fourth-order Runge-Kutta method on the velocities, from the beginning of the cycle.
     Integration {
-        /// Steps in 360 degrees.
+        /// The number of steps in 360 degrees.
         steps: u16,
-        /// The cycle in which the error is looked at, counted from 1.
+        /// The cycle in which the error is measured, counted from 1.
         turns: u16,
     },
 }
 
-/// Why a method cannot be used for a mechanism.
+/// The reason why a method cannot be used for a mechanism.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unfit {
     /// A group, named by one of its points, has no closed form.
     Coupled(Option<PointId>),
-    /// Every group has a closed form, so that there is nothing to be iterated.
+    /// Every group has a closed form, so that no iteration is needed.
     AllClosed,
-    /// A group closes by more than one condition at once.
+    /// A group with several equations that must be solved together.
     Conditions {
         /// A point of the group.
         point: Option<PointId>,
-        /// The unknowns that are solved for at once.
+        /// The number of unknowns of the group.
         unknowns: usize,
     },
-    /// The driver has limits, which no integration can pass.
+    /// The driver has limits, which an integration cannot pass.
     Limits,
-    /// The constraints of a group cannot be written as rows of their own.
+    /// The constraints of a group cannot be written as rows.
     NoRows,
 }

@@ -1,8 +1,8 @@
-//! The mechanism by other methods, for comparison.
+//! Solves the mechanism by other methods, for comparison.
 //!
-//! The same network of constraints, in the same order, is made into a second program in which every
-//! group - dyads too - is a list of rows with unknowns, as it otherwise is for coupled groups alone. So
-//! residuals, rates and matrices of all methods come from one place.
+//! The same network of constraints, in the same order, becomes a second program. In it every group,
+//! dyads included, is a list of rows with unknowns, as only coupled groups are in the first
+//! program. Residuals, rates and matrices of all methods therefore come from one source.
 
 mod deviation;
 mod drift;
@@ -27,26 +27,26 @@ use deviation::Subjects;
 pub struct Methods {
     solver: Solver,
     slides: usize,
-    /// Every group by its rows; `None` where they cannot be listed.
+    /// Every group by its rows; `None` if they cannot be listed.
     rows: Option<RowProgram>,
     subjects: Subjects,
     reference: Workspace<Double>,
-    /// A state of the solver itself.
+    /// A state solved by the solver itself.
     guide: Workspace,
-    /// The side on which every group of rows was when it was last looked up.
+    /// The side of every group of rows at the last look-up.
     sides: Vec<f64>,
 }
 
 /// The program in which every group is a list of rows.
 struct RowProgram {
     engine: Engine,
-    /// To look into.
+    /// A workspace for reading states.
     probe: Workspace,
-    /// What each group reads of earlier ones.
+    /// The points and links of earlier groups that each group reads.
     inputs: Vec<(Vec<PointId>, Vec<LinkId>)>,
     /// The one unknown angle of each group.
     closings: Vec<Option<Closing>>,
-    /// Where the scene opens.
+    /// The unknowns at the scene's start position.
     opening: Scratch,
 }
 
@@ -65,12 +65,12 @@ impl Methods {
         }
     }
 
-    /// The longest length of the mechanism, in the scene's unit.
+    /// Returns the longest length of the mechanism, in the scene's unit.
     pub fn longest(&self) -> f64 {
         self.subjects.longest * self.solver.engine.frame.scale
     }
 
-    /// How many unknowns all groups have as rows.
+    /// Returns the number of unknowns of all groups as rows.
     pub fn unknowns(&self) -> usize {
         let groups = self
             .rows
@@ -79,15 +79,15 @@ impl Methods {
         groups.map(Coupled::unknowns).sum()
     }
 
-    /// The range of the motion.
+    /// Returns the range of the motion.
     pub fn range(&self) -> Range {
         self.solver.motion().range
     }
 
-    /// Whether a method can be used for this mechanism.
+    /// Checks whether a method can be used for this mechanism.
     ///
     /// # Errors
-    /// Why not.
+    /// The reason if not.
     pub fn usable(&self, method: Method) -> Result<(), Unfit> {
         let groups = &self.solver.plan().groups;
         let coupled = groups
@@ -109,8 +109,8 @@ impl Methods {
         }
     }
 
-    /// The state at a coordinate in twice the precision, if the mechanism can be there and is at no
-    /// special place.
+    /// Computes the reference state at a coordinate, in double-double. Returns `false` if the
+    /// mechanism has no state there or is at a singular position.
     pub fn look_up(&mut self, at: f64) -> bool {
         if self.solver.solve(at, Order::Acceleration, &mut self.guide) != Condition::Ok {
             return false;
@@ -128,8 +128,8 @@ impl Methods {
             && self.subjects.sizes(reference).is_finite()
     }
 
-    /// Whether a state of rows is of the assembly that was looked up last, as far as the sides of its
-    /// groups tell.
+    /// Returns `true` if a state of rows has the same assembly as the state looked up last, judged
+    /// by the sides of its groups.
     fn is_same_assembly(&self, work: &mut Workspace) -> bool {
         let Some(rows) = &self.rows else { return true };
         let (q, _) = rows.engine.coordinate(self.guide.at);
@@ -139,18 +139,18 @@ impl Methods {
         sides.all(|product| product >= 0.0)
     }
 
-    /// Stands at a coordinate, for methods that begin there, without looking anything up.
+    /// Moves the guide state to a coordinate, for methods that begin there, without a look-up.
     pub fn guide_to(&mut self, at: f64) {
         let _ = self.solver.solve(at, Order::Position, &mut self.guide);
     }
 
-    /// The largest velocity and acceleration of the last state that was looked up.
+    /// Returns the maximum velocity and acceleration of the state looked up last.
     pub fn sizes(&self) -> Deviation {
         self.subjects.sizes(&self.reference)
     }
 }
 
-/// Begins where a state of the solver stands: its assembly, and what its coupled groups have found.
+/// Copies the assembly and the unknowns of the coupled groups from a state of the solver.
 fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
     for (to, from) in work.state.signs.iter_mut().zip(&guide.signs) {
         *to = T::exactly(*from);
@@ -161,8 +161,8 @@ fn follow<T: Number>(guide: &Workspace, work: &mut Workspace<T>) {
     }
 }
 
-/// Runs a program in any arithmetic; `solve` finds z of each coupled group. Whether everything was
-/// found.
+/// Runs a program in any arithmetic; `solve` finds z of each coupled group. Returns `true` if
+/// everything was found.
 fn run<T: Number, const ORDER: u8>(
     engine: &Engine,
     at: T,
@@ -192,7 +192,7 @@ impl RowProgram {
         Some(rows)
     }
 
-    /// Finds z and the side of every group where the scene opens.
+    /// Finds z and the side of every group at the scene's start position.
     fn open(&mut self, start: f64, solver: &Solver) -> Option<()> {
         let (mut guide, mut sides) = (solver.state(), Vec::new());
         let _ = solver.solve(start, Order::Acceleration, &mut guide);
@@ -204,7 +204,7 @@ impl RowProgram {
         solved.then_some(())
     }
 
-    /// Puts every group where a state of the solver has it, and tells the sides.
+    /// Sets every group to its values in a state of the solver, and collects the sides.
     fn look(&mut self, at: f64, guide: &State, sides: &mut Vec<f64>) -> bool {
         sides.clear();
         let probe = &mut self.probe;
@@ -215,8 +215,9 @@ impl RowProgram {
         })
     }
 
-    /// 1, or -1 where the motion has passed change points of a group since the opening: by the signs of
-    /// the dyads in closed form, where there is one to every group.
+    /// Returns -1 if the motion has passed change points of a group an odd number of times since
+    /// the start position, 1 if not. Derived from the signs of the dyads in closed form, if every
+    /// group is one.
     fn flip(&self, number: usize, solver: &Solver, signs: &[f64]) -> f64 {
         let dyads = solver.plan.groups.len().saturating_sub(1);
         if dyads != self.closings.len() {
@@ -230,7 +231,7 @@ impl RowProgram {
         let groups = self.engine.program.coupled.iter();
         let mut others = groups.zip(&self.closings).filter(|(_, c)| c.is_none());
         others.next().map_or(Ok(()), |(group, _)| {
-            // Named as everywhere else: by the point that names it in the plan.
+            // Uses the same name as elsewhere: the point that names the group in the plan.
             let joint = group.joints().next();
             let holds = |group: &&Group| joint.is_some_and(|joint| group.points.contains(&joint));
             let named = planned.iter().find(holds).and_then(|group| group.point);

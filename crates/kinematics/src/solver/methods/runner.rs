@@ -1,4 +1,4 @@
-//! A method at work: it solves one position after the other and keeps what it needs between them.
+//! Runs a method: solves one position after another and keeps the data needed between them.
 
 use super::{Deviation, Method, Methods, RowProgram, Start, follow, run};
 use crate::solver::Workspace;
@@ -7,7 +7,7 @@ use crate::solver::state::State;
 use crate::solver::{Condition, Order};
 use crate::{Ball, Double, Number};
 
-/// A method with all the room that it needs: solving allocates nothing.
+/// A method with all its workspace: solving allocates nothing.
 pub struct Runner {
     work: RunnerWork,
 }
@@ -17,7 +17,7 @@ pub struct Runner {
     reason = "there are a score of them, each made once"
 )]
 enum RunnerWork {
-    /// What the solver itself does.
+    /// The solver's own method.
     Solver(Workspace),
     Bounded {
         state: Workspace,
@@ -36,20 +36,20 @@ enum RunnerWork {
         state: Workspace,
         tolerance: f64,
         start: Start,
-        /// Of all groups at the last position.
+        /// The steps of all groups at the last position.
         steps: u32,
     },
     Bisection {
         state: Workspace,
-        /// The signs of the dyads in closed form, which tell the side of a change point.
+        /// The signs of the dyads in closed form, which show the side of a change point.
         signs: Vec<f64>,
-        /// Of all groups at the last position.
+        /// The bisection steps of all groups at the last position.
         halvings: u32,
     },
 }
 
 impl Methods {
-    /// A runner of a method that is usable and solves positions; `None` for any other.
+    /// Creates a runner of a usable method that solves positions; returns `None` for any other.
     pub fn runner(&self, method: Method) -> Option<Runner> {
         self.usable(method).ok()?;
         let rows = || {
@@ -90,7 +90,7 @@ impl Methods {
 }
 
 impl Runner {
-    /// Puts a method that goes on from the position before to the one that was looked up last.
+    /// Sets a method that continues from the previous position to the state looked up last.
     pub fn begin(&mut self, methods: &Methods) {
         if let (RunnerWork::Newton { state, .. }, Some(rows)) = (&mut self.work, &methods.rows) {
             for group in &rows.engine.program.coupled {
@@ -99,7 +99,7 @@ impl Runner {
         }
     }
 
-    /// Solves for the driver's coordinate; whether the method found something.
+    /// Solves for the driver's coordinate. Returns `true` if the method found a solution.
     pub fn solve(&mut self, methods: &Methods, at: f64) -> bool {
         let Methods { solver, rows, .. } = methods;
         match (&mut self.work, rows) {
@@ -173,8 +173,8 @@ impl Runner {
         }
     }
 
-    /// How far the last result is from the state that was looked up last; `None` where it is another
-    /// assembly, or where a bound was to be proved and was not.
+    /// Returns the deviation of the last result from the state looked up last. Returns `None` if it
+    /// has another assembly, or if a required bound was not proved.
     pub fn deviation(&mut self, methods: &mut Methods) -> Option<Deviation> {
         if let RunnerWork::Newton { state, .. } | RunnerWork::Bisection { state, .. } =
             &mut self.work
@@ -198,7 +198,7 @@ impl Runner {
         })
     }
 
-    /// Steps or halvings of all groups at the last position, of a method that counts them.
+    /// Returns the steps of all groups at the last position, for a method that counts them.
     pub fn iterations(&self) -> Option<u32> {
         match &self.work {
             RunnerWork::Newton { steps, .. } => Some(*steps),
@@ -211,10 +211,11 @@ impl Runner {
     }
 }
 
-/// The closed forms in single precision; coupled groups from the solver's anchors. The assembly is
-/// that of the solver, which chooses it without solving anything.
+/// Solves the closed forms in single precision, coupled groups from the solver's anchors. The
+/// assembly is that of the solver, which selects it without solving anything.
 fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspace<f32>) -> bool {
-    /// Steps of Newton's method no longer shrink below the rounding of single precision.
+    /// Tolerance above the rounding errors of single precision, below which Newton steps no longer
+    /// shrink.
     const TOLERANCE: f64 = 1e-5;
     let solver = &methods.solver;
     solver.motion.anchors.aim(&solver.engine, at, guide);
@@ -229,7 +230,7 @@ fn single(methods: &Methods, at: f64, guide: &mut Workspace, state: &mut Workspa
     })
 }
 
-/// Group by group from the closed form, each from the corrected places of those before.
+/// Corrects the closed form group by group, each from the corrected positions of the groups before.
 fn polished(
     rows: &RowProgram,
     at: f64,

@@ -1,39 +1,44 @@
-//! Puts all constraints together at once, those that repeat others included: by least squares, from
-//! rough places.
+//! Assembles all constraints at once, redundant ones included, by least squares from approximate
+//! positions.
 //!
-//! The steps of the plan cannot do it where the structure set the wrong constraints aside; and which
-//! are the right ones only an assembled mechanism tells. Levenberg's and Marquardt's method needs no
-//! regular matrix: it comes to one of the poses near by whatever repeats, and whatever is left free.
+//! The steps of the plan cannot do this if the structural analysis set the wrong constraints aside,
+//! and only an assembled mechanism shows which are the right ones. The Levenberg-Marquardt method
+//! needs no regular matrix: it converges to a nearby pose despite redundant constraints and free
+//! motions.
 
 use super::rows::{RankPose, Rows};
 use crate::solver::network::GROUND;
 use crate::{LinkId, PointId, Vec2, angle};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
-/// Steps at the most.
+/// Maximum number of steps.
 const MOST_STEPS: usize = 200;
-/// The damping to begin with, as a part of the squares of rows of unit length, and the least: below the
-/// square root of the rounding no regular direction feels it, and a free one still does.
+/// The initial and the minimum damping, relative to the squares of rows of unit length. The minimum
+/// is below the square root of the rounding error: it affects no regular direction, but still damps
+/// a free one.
 const DAMPING: f64 = 1e-3;
 const LEAST_DAMPING: f64 = 1e-13;
-/// In so many steps what is missed, squared, must fall to half: else it comes to rest elsewhere.
+/// Number of steps in which the squared residual must fall to half; if not, the iteration converges
+/// to a nonzero residual.
 const PATIENCE: usize = 20;
-/// Damped more than this nothing moves any more.
+/// Maximum damping; beyond it, nothing moves any more.
 const MOST_DAMPING: f64 = 1e9;
-/// Steps shorter than this, in units of about the longest link, are rounding.
+/// Steps shorter than this, in units of about the longest link, are rounding errors.
 const STILL: f64 = 4.0 * f64::EPSILON;
-/// A pose is assembled where no equation misses by more than the rounding of what it is made from.
+/// Maximum residual of an assembled pose, relative to its size: the rounding of its coordinates.
 const ASSEMBLED: f64 = 1e-12;
-/// From one first direction to the next, in degrees: the golden angle never comes back to an old one.
+/// Increment from one initial direction to the next, in degrees: multiples of the golden angle
+/// never repeat.
 const GOLDEN: f64 = 137.507_764_050_037_85;
 
-/// An assembled pose, and how far it may be from the true one.
+/// An assembled pose, with a bound on its distance from the true one.
 pub(super) struct Assembled {
     pub(super) pose: RankPose,
     pub(super) slack: f64,
 }
 
-/// Moves a pose to where all equations hold, to `misfit`; `None` where it comes to no such place.
+/// Moves a pose to where all equations hold to within `misfit`; returns `None` if it does not
+/// converge.
 pub(super) fn assemble(
     rows: &Rows<'_>,
     at: f64,
@@ -70,7 +75,7 @@ pub(super) fn assemble(
 struct Normal {
     matrix: DMatrix<f64>,
     downhill: DVector<f64>,
-    /// Half the squares of all misses, and the largest miss.
+    /// Half the sum of the squared residuals, and the maximum residual.
     cost: f64,
     largest: f64,
 }
@@ -85,7 +90,7 @@ impl Normal {
             largest: 0.0,
         };
         for (miss, mut terms) in rows.linear(at, pose) {
-            // The driver stands still.
+            // The driver is fixed.
             terms.retain(|term| term.0 < n);
             for &(i, a) in &terms {
                 normal.downhill[i] -= a * miss;
@@ -99,7 +104,7 @@ impl Normal {
         normal
     }
 
-    /// The next pose, and the length of the way there; `None` where nothing is better.
+    /// Returns the next pose and the step length, or `None` if no step reduces the cost.
     fn step(
         &self,
         rows: &Rows<'_>,
@@ -129,8 +134,8 @@ impl Normal {
     }
 }
 
-/// A rough pose: what is given stands where it is, the rest follows from link to link. Where nothing says
-/// how a link lies, its direction is another one in every trial.
+/// Creates an approximate pose: given points keep their positions, the rest follows from link to
+/// link. Directions that nothing determines differ in every trial.
 pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: usize) -> RankPose {
     let network = rows.network;
     let mechanism = network.mechanism;
@@ -164,7 +169,7 @@ pub(super) fn rough(rows: &Rows<'_>, at: f64, near: &[(PointId, Vec2)], trial: u
     placing.pose
 }
 
-/// Someone who places links roughly, one after another.
+/// Places links approximately, one after another.
 struct Placing<'r, 'n> {
     rows: &'r Rows<'n>,
     /// The driver's coordinate.
@@ -191,14 +196,14 @@ impl Placing<'_, '_> {
         }
     }
 
-    /// The joints of a link that are placed, and one that is not.
+    /// Returns the placed joints of a link, and one joint not yet placed.
     fn joints(&self, link: LinkId) -> (Vec<PointId>, Option<PointId>) {
         let joints = self.rows.network.joints(link).map(|m| m.point);
         let (known, unknown): (Vec<_>, Vec<_>) = joints.partition(|p| self.point_known[p.index()]);
         (known, unknown.first().copied())
     }
 
-    /// Places what follows from what is placed.
+    /// Places everything that follows from the placed elements. Returns `true` if any was placed.
     fn follow(&mut self) -> bool {
         let network = self.rows.network;
         let mut any = self.turn_elbows();
@@ -228,7 +233,8 @@ impl Placing<'_, '_> {
         any
     }
 
-    /// Of two links between which an input turns, each has its direction from that of the other.
+    /// Computes the direction of one link from the other, for links between which an input turns.
+    /// Returns `true` if any direction was set.
     fn turn_elbows(&mut self) -> bool {
         let network = self.rows.network;
         let mut any = false;
@@ -248,7 +254,8 @@ impl Placing<'_, '_> {
         any
     }
 
-    /// Gives a direction to a link that is placed but for that, or to any other.
+    /// Chooses a direction for a link that has a placed joint, or else for any other. Returns
+    /// `false` if all directions are known.
     fn turn_one(&mut self) -> bool {
         let network = self.rows.network;
         let free = |link: &LinkId| !self.class_known[network.class(*link).0];
@@ -265,7 +272,8 @@ impl Placing<'_, '_> {
         true
     }
 
-    /// Puts a joint of which nothing is known amid what is, a little aside.
+    /// Places one unknown joint near the centroid of the placed points, slightly offset. Returns
+    /// `false` if all joints are placed.
     fn drop_one(&mut self) -> bool {
         let network = self.rows.network;
         let mut points = network.mechanism.point_ids();

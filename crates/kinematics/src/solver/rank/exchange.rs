@@ -1,8 +1,8 @@
-//! Of all that could be set aside, what leaves the smallest groups.
+//! Selects the set-aside constraints that leave the smallest groups.
 //!
-//! Any constraint may be set aside for one that it takes part in the sum of. Which of them is good for the
-//! steps of a plan only the structure tells: dyads are solved in closed form, and the work of a coupled
-//! group grows with its cube.
+//! A set-aside constraint may be exchanged for any constraint in the sum that it repeats. Only the
+//! structure shows which choice suits the steps of a plan: dyads are solved in closed form, and the
+//! work of a coupled group grows with its cube.
 
 use super::rows::Rows;
 use super::spectrum::KeptRows;
@@ -10,19 +10,20 @@ use crate::solver::order;
 use nalgebra::DMatrix;
 use std::cmp::Reverse;
 
-/// A constraint is exchanged only for one that has this part in its sum, of the largest: what is kept must
-/// stand on its own about as well as before.
+/// Minimum coefficient in the sum, relative to the largest, for an exchange: the kept constraints
+/// must stay about as well conditioned as before.
 const STEADY: f64 = 0.05;
-/// A smaller part may do: in a lift of 50 stages a bar at the top bears a hundredth of what one at the bottom
-/// does, and with it set aside all groups are dyads.
+/// A smaller limit, tried too. In a lift of 50 stages, a bar at the top carries a hundredth of the
+/// load of one at the bottom, and with it set aside all groups are dyads.
 const LESS_STEADY: f64 = 0.005;
-/// Exchanges one after another.
+/// Maximum number of successive exchanges.
 const MOST_ROUNDS: usize = 6;
-/// The constraints of all exchanges that are looked at in one round.
+/// Maximum work per round: the number of exchanges tried times the number of constraints.
 const MOST_WORK: usize = 600_000;
 
-/// Exchanges what is set aside as long as the groups that are left become smaller; where smaller parts leave
-/// less work, that first, and in any case the steady one last.
+/// Exchanges set-aside constraints as long as the remaining groups become smaller. If the smaller
+/// limit leaves less work, its result comes first; the result of the larger limit always comes
+/// last.
 pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &KeptRows) -> Vec<KeptRows> {
     let (steady, left) = exchanged_by(rows, matrix, choice, STEADY);
     let (other, less) = exchanged_by(rows, matrix, choice, LESS_STEADY);
@@ -34,7 +35,7 @@ pub(super) fn smaller(rows: &Rows<'_>, matrix: &DMatrix<f64>, choice: &KeptRows)
     }
 }
 
-/// The same for those with such a part, and the work that is left.
+/// Exchanges with this minimum coefficient; returns the choice and the remaining work.
 fn exchanged_by(
     rows: &Rows<'_>,
     matrix: &DMatrix<f64>,
@@ -57,7 +58,8 @@ fn exchanged_by(
     (choice, least)
 }
 
-/// The exchange that leaves the least work; of equal ones that for a constraint more readily set aside.
+/// Returns the exchange that leaves the least work; of equal ones, the exchange for the constraint
+/// more readily set aside.
 fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usize, usize))> {
     let readiness = |row: usize| rows.network.readiness(rows.rows[row]);
     let mut exchanges = Vec::new();
@@ -75,7 +77,8 @@ fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usiz
     tried.min_by_key(|&(work, (_, row))| (work, Reverse((readiness(row), row))))
 }
 
-/// What is kept and what is set aside after one of those set aside was exchanged for one that is kept.
+/// Returns the kept and the set-aside constraints after one of the latter is exchanged for one of
+/// the former.
 fn exchanged(choice: &KeptRows, (place, row): (usize, usize)) -> (Vec<usize>, Vec<usize>) {
     let mut set_aside = choice.set_aside.clone();
     let back = std::mem::replace(&mut set_aside[place], row);
@@ -88,7 +91,8 @@ fn exchanged(choice: &KeptRows, (place, row): (usize, usize)) -> (Vec<usize>, Ve
     (kept, set_aside)
 }
 
-/// The cubes of the sizes of all groups; `None` where what is kept does not settle everything.
+/// Returns the sum of the cubes of all group sizes; `None` if the kept constraints do not determine
+/// everything.
 fn work(rows: &Rows<'_>, set_aside: &[usize]) -> Option<usize> {
     let set_aside: Vec<_> = set_aside.iter().map(|&i| rows.rows[i]).collect();
     let ordering = order::ordering(rows.network, &set_aside).ok()?;

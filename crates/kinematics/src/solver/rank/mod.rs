@@ -15,44 +15,44 @@ use crate::{ElementId, PointId, Vec2};
 use std::collections::VecDeque;
 use verdict::{RankVerdict, Whole};
 
-/// Unknowns of which a dense decomposition is made, at the most: it costs their cube, and this many
-/// take about a second. Above it the structure's answer stands.
+/// Maximum number of unknowns for a dense decomposition: the cost grows with their cube, and this
+/// many take about a second. Larger mechanisms keep the result of the structural analysis.
 const MOST_UNKNOWNS: usize = 420;
 
-/// Choices of what to set aside that are tried, by what the rank says and in turn.
+/// Maximum number of tried choices of set-aside constraints: by the rank, and one after another.
 const MOST_TRIED: usize = 6;
 const MOST_RIVALS: usize = 64;
 
-/// A constraint that repeats others.
+/// An element with constraints that repeat others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Redundancy {
-    /// What was set aside for it.
+    /// The element whose constraints were set aside.
     pub element: ElementId,
-    /// How many constraints of this element were.
+    /// The number of constraints of this element that were set aside.
     pub constraints: usize,
-    /// What else takes part: any of these could have been set aside in its stead. Empty where the
-    /// mechanism is too large to tell.
+    /// The other elements that take part: any of them could have been set aside instead. Empty if
+    /// the mechanism is too large for a decomposition.
     pub repeats: Vec<ElementId>,
-    /// By how much they disagree at the most over the motion, in the scene's length unit; of slides that
-    /// hold one link at one angle, at the end of the longest length.
+    /// The maximum disagreement of the constraints over the motion, in the scene's length unit. For
+    /// slides that fix one link's angle, it is measured at the end of the longest length.
     pub misfit: f64,
 }
 
-/// What the rank of the constraints says of a mechanism that moves.
+/// The result of the rank analysis of a mechanism that moves.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Rank {
-    /// The constraints that repeat others.
+    /// The redundant constraints.
     pub redundancies: Vec<Redundancy>,
-    /// Whether a singular value at the start lies so near zero that rounding, or the misfit that is
-    /// accepted, could hide a motion that the driver does not determine.
+    /// Whether a singular value at the start is so close to zero that rounding, or the accepted
+    /// disagreement, could hide a motion that the driver does not determine.
     pub is_unclear: bool,
-    /// Whether more can move where the scene opens than elsewhere: a change point, or a dead point.
+    /// Whether more can move at the start position than elsewhere: a change point or a dead point.
     pub is_lower_at_start: bool,
 }
 
 impl Fault {
-    /// Whether it may come from constraints that repeat others where the structure sees none, or others
-    /// than it set aside.
+    /// Returns `true` if the fault may come from redundant constraints that the structural analysis
+    /// missed, or set aside wrongly.
     fn asks_for_the_rank(&self, ordering: Option<&Ordering>) -> bool {
         match self {
             Fault::Singular { .. }
@@ -69,8 +69,11 @@ impl Fault {
     }
 }
 
-/// Opens a mechanism that did not open with what the structure set aside: with what the rank does, or
-/// says what the rank says.
+/// Opens a mechanism that failed to open with the constraints set aside by the structural analysis:
+/// sets aside those chosen by the rank instead.
+///
+/// # Errors
+/// The fault, or a more specific one found by the rank.
 pub(super) fn reopened(
     network: &Network<'_>,
     fault: Fault,
@@ -121,7 +124,8 @@ pub(super) fn reopened(
         if tried.len() == MOST_TRIED {
             break;
         }
-        // Those that are kept may be singular where all together are not: then others lead on.
+        // The kept constraints may be singular where all together are not. Then the rank at that
+        // position chooses others.
         if let Fault::OverConstrained { at, .. } = fault
             && ways.is_empty()
             && !verdict.is_held
@@ -132,7 +136,8 @@ pub(super) fn reopened(
     Err(verdict.named(fault))
 }
 
-/// Above the size of a decomposition: sets others aside in the place of the first one, one after another.
+/// Tries sets of set-aside constraints one after another, for mechanisms too large for a
+/// decomposition. Each set replaces the structure's first choice.
 fn by_trial(
     network: &Network<'_>,
     structure: Option<Ordering>,
@@ -146,8 +151,8 @@ fn by_trial(
     rivals.find_map(|&row| open(&order::ordering(network, &[row]).ok()?).ok())
 }
 
-/// Rough places choose where they can; where the assembly that they choose does not fit what was set
-/// aside, the one does in which everything fits.
+/// Opens a mechanism from approximate positions. If the assembly that they select does not fit the
+/// set-aside constraints, uses the pose in which all constraints hold.
 fn opened(
     ordering: &Ordering,
     start: f64,
@@ -162,7 +167,7 @@ fn opened(
     }
 }
 
-/// Of two faults of one mechanism the one that says more.
+/// Returns the more informative of two faults of one mechanism.
 fn better(first: Fault, again: Fault) -> Fault {
     match again {
         Fault::OverConstrained { .. } | Fault::Vague { .. } | Fault::ChangePoint { .. } => again,
@@ -170,12 +175,14 @@ fn better(first: Fault, again: Fault) -> Fault {
     }
 }
 
-/// What the rank says of a mechanism that opened; a fault where it only seemed to be determined.
+/// Adds the rank analysis to a mechanism that opened. Returns a fault if it only seemed to be
+/// determined.
 ///
-/// The dyads of a plan are regular where they are placed, and need no second look.
+/// The dyads of a plan are regular where they are placed, and are not checked again.
 pub(super) fn judged(network: &Network<'_>, mut solver: Solver) -> Result<Solver, Fault> {
     let groups = verdict::groups(network, &solver);
-    // What is kept may hold the driver where it opens: with others set aside it may move.
+    // The kept constraints may lock the driver at the start position. With others set aside, it may
+    // move.
     let set_aside = &solver.ordering.set_aside;
     let (low, high) = solver.motion.range.ends();
     let is_stuck = low == high && !set_aside.is_empty();
@@ -195,7 +202,7 @@ pub(super) fn judged(network: &Network<'_>, mut solver: Solver) -> Result<Solver
 }
 
 impl RankVerdict {
-    /// That the driver does not determine every link.
+    /// Returns the fault that the driver does not determine every link.
     fn free_motions(self, network: &Network<'_>) -> Fault {
         Fault::Mobility {
             mobility: self.mobility(),
@@ -206,7 +213,7 @@ impl RankVerdict {
         }
     }
 
-    /// A fault with the names that the rank knows.
+    /// Adds the elements known from the rank to a fault.
     fn named(&self, fault: Fault) -> Fault {
         match fault {
             Fault::OverConstrained {

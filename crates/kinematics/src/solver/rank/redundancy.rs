@@ -1,4 +1,4 @@
-//! What the constraints that were set aside repeat, and by how much they disagree.
+//! Finds the constraints that each set-aside constraint repeats, and their disagreement.
 
 use super::rows::{RankPose, Rows};
 use super::spectrum::KeptRows;
@@ -9,14 +9,15 @@ use crate::solver::state::{Condition, State};
 use crate::solver::{Order, Range, Solver};
 use crate::{ElementId, Vec2};
 
-/// Where else than at the start a motion is looked at, as parts of its range: at no place of symmetry.
+/// Positions besides the start at which a motion is examined, as fractions of its range: away from
+/// positions of symmetry.
 const ELSEWHERE: [f64; 2] = [0.291, 0.637];
-/// Parts in a sum up to this size are far from a change point.
+/// Coefficients in a sum up to this size are far from a change point.
 const CALM: f64 = 1e3;
-/// A part in the sum that a row repeats, below which it is rounding.
+/// A coefficient in a sum below this is rounding error.
 const PART: f64 = 1e-8;
 
-/// States of the motion: at the start, and at two other places.
+/// Returns states of the motion: at the start and at two other positions.
 pub(super) fn reached(solver: &Solver) -> impl Iterator<Item = State> + '_ {
     let (low, high) = match solver.motion.range {
         Range::Full { period } => (solver.opening, solver.opening + period),
@@ -31,7 +32,7 @@ pub(super) fn reached(solver: &Solver) -> impl Iterator<Item = State> + '_ {
     })
 }
 
-/// Where a state has every joint and every class of links.
+/// Returns the pose of every joint and every class of links in a state.
 pub(super) fn pose_of(network: &Network<'_>, state: &State) -> RankPose {
     let points = network.mechanism.points().len();
     let class = |members: &Vec<crate::LinkId>| {
@@ -47,7 +48,7 @@ pub(super) fn pose_of(network: &Network<'_>, state: &State) -> RankPose {
     }
 }
 
-/// Every element with constraints that repeat others.
+/// Returns every element with redundant constraints.
 pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redundancy> {
     let set_aside = &solver.ordering.set_aside;
     let sums = sums(network, solver);
@@ -89,7 +90,7 @@ pub(super) fn redundancies(network: &Network<'_>, solver: &Solver) -> Vec<Redund
     found
 }
 
-/// For every constraint that was set aside the others that it is the sum of.
+/// Returns, for every set-aside constraint, the constraints of which it is the sum.
 fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     let ordering = &solver.ordering;
     if ordering.set_aside.is_empty() {
@@ -109,7 +110,8 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     let kept = (0..rows.rows.len())
         .filter(|i| !aside.contains(i))
         .collect::<Vec<_>>();
-    // At a change point of those that are kept the parts grow beyond bounds: the calmest place tells.
+    // Near a change point of the kept constraints the coefficients grow without bound, so the
+    // position with the smallest is used.
     let mut choices = reached(solver).map(|state| {
         let matrix = rows.matrix(state.at, &pose_of(network, &state));
         let matrix = matrix.columns(0, rows.width).into_owned();
@@ -135,7 +137,7 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     (0..aside.len()).map(sum).collect()
 }
 
-/// By how much the constraints of what repeats each other failed to hold at the most over the motion.
+/// Returns the maximum disagreement over the motion of the constraints that repeat each other.
 fn misfit(solver: &Solver, redundancy: &Redundancy) -> f64 {
     let watches = solver.engine.program.watches.iter();
     let of = |element| element == redundancy.element || redundancy.repeats.contains(&element);

@@ -1,5 +1,5 @@
-//! The constraints as dense rows over the coordinates of joints and the directions of links.
-//! Their derivations stand with the room.
+//! Writes the constraints as dense rows over the coordinates of joints and the directions of links.
+//! The module documentation of `rank` has the derivations.
 
 use crate::solver::following::InputMotion;
 use crate::solver::frame::Frame;
@@ -7,38 +7,40 @@ use crate::solver::network::{ClassId, GROUND, Network, ScalarEquation, ScalarUnk
 use crate::{Body, Input, LinkId, PointId, SlideId, Vec2, angle};
 use nalgebra::DMatrix;
 
-/// Where every joint is, and every class of links, in the solver's frame.
+/// The positions of all joints and the directions of all classes of links, in the solver's frame.
 #[derive(Clone, Debug)]
 pub(super) struct RankPose {
     pub(super) points: Vec<Vec2>,
-    /// The direction of a class, as a unit vector.
+    /// The direction of each class, as a unit vector.
     pub(super) classes: Vec<Vec2>,
 }
 
 impl RankPose {
-    /// The direction of a body.
+    /// Returns the direction of a body.
     pub(super) fn direction(&self, network: &Network<'_>, body: LinkId) -> Vec2 {
         let turn = network.turn[body.index()].nearest();
         turn.turned(self.classes[network.class(body).0])
     }
 }
 
-/// By how much one equation misses, and its derivatives.
+/// The residual of one equation and its derivatives.
 struct EquationRow {
     miss: f64,
-    /// By the point; by the centre of the body it is the opposite.
+    /// The derivative by the point. That by the centre of the body is its negative.
     normal: Vec2,
     point: Option<PointId>,
     centre: Option<PointId>,
     class: ClassId,
-    /// By the direction of the class; by that of the seat, if there is one, it is the opposite.
+    /// The derivative by the direction of the class. That by the direction of the seat, if there is
+    /// one, is its negative.
     turn: f64,
     seat: Option<ClassId>,
-    /// By the driver's coordinate, of a driven slide or of links that are turned against each other.
+    /// The derivative by the driver's coordinate, for a driven slide or links turned against each
+    /// other.
     push: f64,
 }
 
-/// Equations, and the unknowns that they are looked at for.
+/// Equations with the unknowns by which they are differentiated.
 pub(super) struct Rows<'n> {
     pub(super) network: &'n Network<'n>,
     pub(super) frame: Frame,
@@ -46,9 +48,9 @@ pub(super) struct Rows<'n> {
     /// The first of a point's two columns.
     point_column: Vec<Option<usize>>,
     class_column: Vec<Option<usize>>,
-    /// How many columns there are; the driver's coordinate stands behind them.
+    /// The number of columns. The driver's coordinate is one further column at the end.
     pub(super) width: usize,
-    /// What a direction counts as a length: columns of angles are angles times this.
+    /// The length by which directions are scaled: columns of angles are angles times this.
     lever: f64,
 }
 
@@ -85,7 +87,8 @@ impl<'n> Rows<'n> {
         found
     }
 
-    /// The driver's coordinate in radians or scaled lengths, and its direction where it is an angle.
+    /// Returns the driver's coordinate in radians or scaled lengths, and its direction if it is an
+    /// angle.
     pub(super) fn driver(&self, at: f64) -> (f64, Vec2) {
         match self.network.mechanism.driver().input {
             Input::Turn(_) => (angle::radians(at), angle::unit(at)),
@@ -93,7 +96,7 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// The driver's coordinate as inputs follow it: in degrees or scaled lengths.
+    /// Returns the driver's coordinate as inputs follow it: in degrees or scaled lengths.
     fn given(&self, at: f64) -> f64 {
         match self.network.mechanism.driver().input {
             Input::Turn(_) => at,
@@ -101,7 +104,7 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// Turns the driven links to where they are at the driver's coordinate.
+    /// Turns the driven links to their directions at the driver's coordinate.
     pub(super) fn drive(&self, at: f64, pose: &mut RankPose) {
         let mechanism = self.network.mechanism;
         if let Input::Turn(link) = mechanism.driver().input
@@ -122,7 +125,8 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// The coordinate of an input, in degrees or scaled lengths, and its derivative by the driver's.
+    /// Returns the coordinate of an input, in degrees or scaled lengths, and its derivative by the
+    /// driver's.
     fn input(&self, input: Input, at: f64) -> (f64, f64) {
         let following = self.network.following(input);
         let q = self.given(at);
@@ -130,26 +134,27 @@ impl<'n> Rows<'n> {
         (motion.p, motion.w)
     }
 
-    /// The direction of a link that is turned against another one, as seen from that.
+    /// Returns the direction of a turned link relative to the link that carries its motor.
     pub(super) fn elbow(&self, turned: LinkId, at: f64) -> Vec2 {
         angle::unit(self.input(Input::Turn(turned), at).0)
     }
 
-    /// The derivative of the direction of a driven class by the driver's coordinate.
+    /// Returns the derivative of a driven class's direction by the driver's coordinate.
     fn rate(&self, class: ClassId, at: f64) -> f64 {
         let mut timed = self.network.timed_links();
         let of_class = timed.find(|(link, _)| self.network.class(*link) == class);
         of_class.map_or(1.0, |(_, following)| following.at(self.given(at)).w)
     }
 
-    /// By how much every equation misses, and its derivatives by column.
+    /// Returns the residual of every equation and its derivatives by column.
     pub(super) fn linear(&self, at: f64, pose: &RankPose) -> Vec<(f64, Vec<(usize, f64)>)> {
         let equations = self.rows.iter().map(|&row| self.equation(row, at, pose));
         equations.map(|e| (e.miss, self.terms(&e, at))).collect()
     }
 
-    /// The derivatives, each row of unit length; the last column is the driver's. Columns of directions are those
-    /// of angles times the arm of their links: a short link turns as surely as a long one.
+    /// Returns the derivatives, each row scaled to unit length; the last column is the driver's.
+    /// Columns of directions are scaled by the arms of their links: a short link determines its
+    /// direction as well as a long one.
     pub(super) fn matrix(&self, at: f64, pose: &RankPose) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.rows.len(), self.width + 1);
         for (i, (_, terms)) in self.linear(at, pose).into_iter().enumerate() {
@@ -167,7 +172,8 @@ impl<'n> Rows<'n> {
         matrix
     }
 
-    /// The columns of directions of which only the arms of links depend, each with the longest of these.
+    /// Returns the columns of directions that depend only on arms of links, each with the longest
+    /// arm.
     fn arms(&self) -> Vec<(usize, f64)> {
         let mut arms = vec![0.0_f64; self.class_column.len()];
         for row in &self.rows {
@@ -178,7 +184,7 @@ impl<'n> Rows<'n> {
                     let arm = self.local(link, end) - from;
                     (self.network.class(link), arm.norm())
                 }
-                // A guide has any arm.
+                // A guide's arm is not bounded.
                 ScalarEquation::Slot(slide) | ScalarEquation::Push(slide) => {
                     let body = self.network.body(self.network.mechanism.slide(slide).on);
                     (self.network.class(body), f64::INFINITY)
@@ -223,8 +229,8 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// How much of a motion a link has: the largest of its joints' and its own share, where `share` is
-    /// that of a column.
+    /// Returns a link's share in a motion: the maximum of `share` over the columns of its joints
+    /// and its direction.
     pub(super) fn share(&self, link: LinkId, share: impl Fn(usize) -> f64) -> f64 {
         let joints = self.network.joints(link);
         let points = joints.filter_map(|m| self.point_column[m.point.index()]);
@@ -326,7 +332,8 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// From a link's centre to another joint: as the link has it, turned with it, and as it is.
+    /// Returns the vector from a link's centre to another joint: as a rigid arm in the link's
+    /// direction, and between the joints' positions.
     fn arm(&self, link: LinkId, end: PointId, pose: &RankPose) -> (Vec2, Vec2) {
         let at = |point: PointId| pose.points[point.index()];
         let Some(centre) = self.network.centre(link) else {
@@ -366,7 +373,7 @@ impl<'n> Rows<'n> {
         }
     }
 
-    /// Where a link has a point that is no joint.
+    /// Returns the position of a link's point that is not a joint.
     pub(super) fn rider(&self, link: LinkId, point: PointId, pose: &RankPose) -> Vec2 {
         let Some(centre) = self.network.centre(link) else {
             return Vec2::ZERO;
@@ -376,7 +383,7 @@ impl<'n> Rows<'n> {
         pose.points[centre.index()] + arm
     }
 
-    /// The place of a joint in its link, in the solver's unit.
+    /// Returns the position of a joint in its link, in the solver's unit.
     pub(super) fn local(&self, link: LinkId, point: PointId) -> Vec2 {
         let body = self.network.link(link);
         let local = body.and_then(|l| l.local(point)).unwrap_or_default();
@@ -384,14 +391,14 @@ impl<'n> Rows<'n> {
     }
 }
 
-/// A guide and what slides along it, at a pose.
+/// A guide and the point that slides along it, at a pose.
 struct PosedGuide {
     point: PointId,
     centre: Option<PointId>,
     class: ClassId,
-    /// Its direction.
+    /// The guide's direction.
     along: Vec2,
-    /// The sliding point from the guide's, and from the body's centre.
+    /// The sliding point relative to the guide's point, and relative to the body's centre.
     seen: Vec2,
     arm: Vec2,
 }

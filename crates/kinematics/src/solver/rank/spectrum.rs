@@ -1,36 +1,40 @@
-//! The numerical rank of a matrix of rows of unit length, and what its null spaces hold.
+//! Computes the numerical rank and the null spaces of a matrix with rows of unit length.
 
 use nalgebra::{DMatrix, RowDVector};
 use std::collections::BTreeSet;
 
-/// u, half the distance from 1 to the next double.
+/// The unit roundoff u: half the distance from 1 to the next double.
 const U: f64 = 0.5 * f64::EPSILON;
-/// Roundings in a row and in its decomposition, in u for each of its terms.
+/// Bound on the rounding of a row and its decomposition, in u per term.
 const ROUNDINGS: f64 = 16.0;
-/// So near above the threshold a singular value tells nothing: it may be zero of a mechanism that is
-/// not quite the one that was drawn. With a coarse threshold, half of the decades to 1.
+/// Singular values up to this factor above the threshold are inconclusive: they may be zero in a
+/// mechanism slightly different from the drawn one. With a coarse threshold, the limit is its square
+/// root, half of the decades to 1.
 const UNCLEAR: f64 = 1e3;
-/// A share of a null vector below this is rounding, or so many of the matrix's own.
+/// Shares of a null vector below this, or below so many of the matrix's own roundings, are rounding
+/// errors.
 const SHARE: f64 = 1e-8;
 const SHARE_ROUNDINGS: f64 = 32.0;
-/// What each further step of readiness to be set aside weighs: a row that is to be kept first gives way to
-/// one that stands this much better on the others.
+/// Weight of each step of readiness to be set aside: a row to be kept first yields to one that is
+/// better conditioned by this factor.
 const LESS_READY: f64 = 0.5;
 
-/// What the singular values of a matrix say.
+/// The conclusions from a matrix's singular values.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Spectrum {
     pub(super) rank: usize,
-    /// Whether one of those that count is all but zero.
+    /// Whether a nonzero singular value is close to zero.
     pub(super) is_unclear: bool,
-    /// A share of a null vector below this is rounding.
+    /// A share of a null vector below this is rounding error.
     pub(super) noise: f64,
 }
 
 impl Spectrum {
-    /// `slack` is by how much the direction of a row is off, in radians: 2 `slack` is the change of a row,
-    /// and sqrt(2 m) of these that of a singular value (Weyl). By `doubt` it may be off: what that could
-    /// hide is unclear. `None` where the decomposition does not end.
+    /// Computes the spectrum; returns `None` if the decomposition does not converge.
+    ///
+    /// `slack` bounds the angular error of a row's direction, in radians. A row then changes by at
+    /// most 2 `slack`, and a singular value by sqrt(2 m) times that (Weyl). `doubt` bounds the
+    /// accepted error in the same way: any motion that it could hide is unclear.
     pub(super) fn of(matrix: &DMatrix<f64>, slack: f64, doubt: f64) -> Option<Spectrum> {
         let (m, n) = matrix.shape();
         if m.min(n) == 0 {
@@ -63,17 +67,19 @@ impl Spectrum {
     }
 }
 
-/// Which rows are kept of a matrix, and what the others repeat.
+/// The rows kept of a matrix, and the sums that the others repeat.
 #[derive(Clone)]
 pub(super) struct KeptRows {
     pub(super) kept: Vec<usize>,
     pub(super) set_aside: Vec<usize>,
-    /// For each of those set aside, and each of those kept, its part in the sum.
+    /// The coefficient of each kept row in the sum of each set-aside row.
     parts: DMatrix<f64>,
 }
 
-/// Keeps so many rows that stand well on their own, those first that are less ready to be set aside: QR
-/// with pivoting of the weighted rows, A^T P = Q (R1 R2), in which the rest is R1^-1 R2 of those kept.
+/// Selects `rank` well-conditioned rows, preferring those less ready to be set aside.
+///
+/// Uses QR with pivoting of the weighted rows, A^T P = Q (R1 R2); the other rows are R1^-1 R2 times
+/// the kept ones.
 pub(super) fn choose(matrix: &DMatrix<f64>, rank: usize, readiness: &[u8]) -> KeptRows {
     let weight = |i: usize| LESS_READY.powi(i32::from(readiness[i]));
     let mut columns = matrix.transpose();
@@ -99,7 +105,8 @@ impl KeptRows {
         }
     }
 
-    /// The largest part in the sum of one that was set aside, by its place among these.
+    /// Returns the maximum coefficient in the sum of a set-aside row, given by its index among
+    /// these.
     pub(super) fn largest_of(&self, aside: usize) -> f64 {
         self.parts
             .column(aside)
@@ -107,7 +114,7 @@ impl KeptRows {
             .fold(0.0, |most, part| f64::max(most, part.abs()))
     }
 
-    /// The largest part of all; infinite where the kept rows depend on each other.
+    /// Returns the maximum of all coefficients; infinite if the kept rows are dependent.
     pub(super) fn largest(&self) -> f64 {
         let finite = |v: &f64| {
             if v.is_finite() {
@@ -119,7 +126,7 @@ impl KeptRows {
         self.parts.iter().map(finite).fold(0.0, f64::max)
     }
 
-    /// What a row that was set aside, by its place among these, is the sum of.
+    /// Returns the rows in the sum of a set-aside row, given by its index among these.
     pub(super) fn repeated_by(&self, aside: usize, noise: f64) -> Vec<usize> {
         let parts = self.parts.column(aside);
         let parts = self.kept.iter().zip(parts.iter());
@@ -129,14 +136,15 @@ impl KeptRows {
             .collect()
     }
 
-    /// All rows that repeat each other.
+    /// Returns all rows that repeat each other.
     pub(super) fn repeating(&self, noise: f64) -> BTreeSet<usize> {
         let sums = (0..self.set_aside.len()).flat_map(|i| self.repeated_by(i, noise));
         sums.chain(self.set_aside.iter().copied()).collect()
     }
 }
 
-/// By how much the last column of a matrix is no sum of the others, which are independent.
+/// Returns the residual of the last column of a matrix as a linear combination of the others, which
+/// must be independent.
 pub(super) fn apart(matrix: &DMatrix<f64>) -> f64 {
     let n = matrix.ncols().saturating_sub(1);
     let others = matrix.columns(0, n).into_owned();
@@ -145,10 +153,10 @@ pub(super) fn apart(matrix: &DMatrix<f64>) -> f64 {
     (last - others * parts).norm()
 }
 
-/// For every column its share in the motions that the kept rows leave free, 0 where it is rounding.
+/// Returns the share of every column in the motions that the kept rows leave free; 0 if it is
+/// rounding error.
 ///
-/// With A P = Q (R1 R2), what moves freely are the columns of R2 by 1, and those of R1 by
-/// -R1^-1 R2.
+/// With A P = Q (R1 R2), the columns of R2 move freely, by 1, and those of R1 follow by -R1^-1 R2.
 pub(super) fn free_shares(matrix: &DMatrix<f64>, kept: &[usize], noise: f64) -> Vec<f64> {
     let kept_rows = matrix.select_rows(kept);
     let (rank, n) = kept_rows.shape();
@@ -172,7 +180,7 @@ pub(super) fn free_shares(matrix: &DMatrix<f64>, kept: &[usize], noise: f64) -> 
     shares
 }
 
-/// The columns of a matrix in the order in which QR with pivoting takes them.
+/// Returns the columns of a matrix in the order of QR with pivoting.
 fn pivoted(matrix: DMatrix<f64>) -> Vec<usize> {
     let n = matrix.ncols();
     let mut order = RowDVector::from_fn(n, |_, i| i);
@@ -180,7 +188,7 @@ fn pivoted(matrix: DMatrix<f64>) -> Vec<usize> {
     order.iter().copied().collect()
 }
 
-/// X in A X = B, where A has as many independent columns as it has any.
+/// Solves A X = B in the least-squares sense; the columns of A must be independent.
 fn least_squares(a: &DMatrix<f64>, b: DMatrix<f64>) -> DMatrix<f64> {
     let (n, columns) = (a.ncols(), b.ncols());
     if n == 0 || columns == 0 {
@@ -199,12 +207,12 @@ fn least_squares(a: &DMatrix<f64>, b: DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// Numbers between -1 and 1 without an order that could help.
+    /// Returns pseudorandom numbers between -1 and 1.
     fn scattered(i: usize, j: usize) -> f64 {
         (12.9898 * (i + 1) as f64 + 78.233 * (j + 1) as f64).sin() * 43_758.545_3 % 1.0
     }
 
-    /// So many rows of unit length of a rank, the later ones sums of the first.
+    /// Returns m rows of unit length with a known rank; the later ones are sums of the first.
     fn planted(m: usize, n: usize, rank: usize) -> DMatrix<f64> {
         let base = DMatrix::from_fn(rank, n, scattered);
         let sums = DMatrix::from_fn(m, rank, |i, j| {

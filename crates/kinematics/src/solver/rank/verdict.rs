@@ -1,4 +1,5 @@
-//! The rank at assembled poses: of a whole mechanism, and of the coupled groups of one that opened.
+//! Determines the rank at assembled poses, for a whole mechanism and for the coupled groups of one
+//! that opened.
 
 use super::MOST_UNKNOWNS;
 use super::assemble::{Assembled, assemble, rough};
@@ -14,65 +15,65 @@ use crate::solver::plan::{Group, GroupKind};
 use crate::{ElementId, LinkId, PointId, Vec2};
 use nalgebra::DMatrix;
 
-/// Rough poses to begin with, at the most, and the same as work: cubes of unknowns.
+/// Maximum number of initial poses, and the maximum work on them, in cubes of unknowns.
 const MOST_TRIALS: usize = 12;
 const TRIAL_WORK: usize = 100_000_000;
-/// From the start to other places that the driver may reach, in radians or scaled lengths: far enough
-/// for a singular value to leave zero, near enough for the pose to follow.
+/// Offsets from the start to other positions of the driver, in radians or scaled lengths. They are
+/// large enough for a singular value to leave zero and small enough for the pose to be tracked.
 const PLACES: [f64; 4] = [0.03, -0.03, 0.11, -0.11];
-/// So many of them are looked at.
+/// Number of these positions to examine.
 const LOOKED_AT: usize = 2;
-/// Unknowns of a coupled group that is looked at whenever a mechanism opens, at the most.
+/// Maximum number of unknowns of a coupled group for an examination whenever a mechanism opens.
 const MOST_IN_A_GROUP: usize = 150;
-/// What rounding turns a row by at the most, in radians.
+/// Maximum rotation of a row by rounding, in radians.
 const ROUNDED: f64 = 1e-8;
-/// From pose to pose on the way to a place further off, and how many of these there may be: some turns.
+/// Step from pose to pose towards a distant position, and the maximum number of steps: some turns.
 const STRIDE: f64 = 0.05;
 const MOST_STRIDES: f64 = 1000.0;
 
-/// What the constraints of a mechanism do together, where they could be put together.
+/// The result of the rank analysis of all constraints of an assembled mechanism.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct RankVerdict {
-    /// How many inputs there are.
+    /// The number of inputs.
     inputs: usize,
-    /// Motions that these leave free.
+    /// The number of motions that the inputs leave free.
     pub(super) free: usize,
-    /// Whether the driver itself cannot move.
+    /// Whether the driver itself is locked.
     pub(super) is_held: bool,
-    /// How many constraints repeat others.
+    /// The number of redundant constraints.
     pub(super) redundant: usize,
-    /// What these belong to, and what they repeat.
+    /// The elements of the redundant constraints and of those that they repeat.
     pub(super) repeating: Vec<ElementId>,
-    /// The links that move where the driver stands.
+    /// The links that can move while the driver is fixed.
     pub(super) floating: Vec<LinkId>,
-    /// The constraints to set aside: ways to choose them, the one that leaves the least work first.
+    /// The choices of constraints to set aside; the one that leaves the least work comes first.
     pub(super) set_aside: Vec<Vec<ScalarEquation>>,
     /// Whether more is free at the start than elsewhere.
     pub(super) is_change_point: bool,
-    /// Whether a singular value is all but zero.
+    /// Whether a singular value is close to zero.
     pub(super) is_unclear: bool,
-    /// Where the moving points are when all constraints hold, in the scene's unit and frame.
+    /// The positions of the moving points when all constraints hold, in the scene's unit and frame.
     pub(super) places: Vec<(PointId, Vec2)>,
 }
 
 impl RankVerdict {
-    /// Degrees of freedom, those of the inputs included.
+    /// Returns the degrees of freedom, including those of the inputs.
     pub(super) fn mobility(&self) -> usize {
         (self.inputs + self.free).saturating_sub(usize::from(self.is_held))
     }
 }
 
-/// All constraints of a mechanism, put together at the start.
+/// All constraints of a mechanism, assembled at the start.
 pub(super) struct Whole<'n> {
     rows: Rows<'n>,
     at: f64,
-    /// By how much they may miss, in the solver's unit.
+    /// The accepted disagreement, in the solver's unit.
     misfit: f64,
     start: Assembled,
 }
 
 impl<'n> Whole<'n> {
-    /// Puts all constraints together near rough places; `None` where they do not come together.
+    /// Assembles all constraints from approximate positions; returns `None` if that fails.
     pub(super) fn new(
         network: &'n Network<'n>,
         at: f64,
@@ -95,7 +96,7 @@ impl<'n> Whole<'n> {
         })
     }
 
-    /// What the rank says, the greatest of the start and of places beside it.
+    /// Returns the verdict with the maximum rank of the start and of positions near it.
     pub(super) fn verdict(&self) -> Option<RankVerdict> {
         let found = self.judged(self.at, &self.start)?;
         let beside = PLACES.iter().filter_map(|&by| {
@@ -104,13 +105,13 @@ impl<'n> Whole<'n> {
             self.judged(at, &there)
         });
         let least = found.rank;
-        // No rank is greater than that of independent columns.
+        // Independent columns already have the maximum rank.
         let places = if least < self.rows.width {
             LOOKED_AT
         } else {
             0
         };
-        // The first of the greatest, so that the start itself is preferred.
+        // The first maximum wins, so that the start is preferred.
         let best =
             beside.take(places).fold(
                 found,
@@ -125,8 +126,8 @@ impl<'n> Whole<'n> {
         })
     }
 
-    /// What to set aside at another coordinate of the driver; `None` where the constraints do not come
-    /// there together.
+    /// Returns the choices of constraints to set aside at another coordinate of the driver, or
+    /// `None` if the mechanism cannot be assembled there.
     pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Vec<ScalarEquation>>> {
         let way = (at - self.at) / moved(&self.rows, 0.0, STRIDE);
         if !(way.abs() < MOST_STRIDES) {
@@ -151,7 +152,7 @@ impl<'n> Whole<'n> {
         Some(judged.verdict(&self.rows).set_aside)
     }
 
-    /// Where the moving points are at the start, in the scene's unit and frame.
+    /// Returns the positions of the moving points at the start, in the scene's unit and frame.
     fn places(&self) -> Vec<(PointId, Vec2)> {
         let (network, pose) = (self.rows.network, &self.start.pose);
         let mut places = Vec::new();
@@ -172,13 +173,13 @@ impl<'n> Whole<'n> {
     }
 }
 
-/// Coordinates of the driver beside another one.
+/// Returns coordinates of the driver near the given one.
 pub(super) fn beside(network: &Network<'_>, at: f64) -> impl Iterator<Item = f64> {
     let rows = Rows::new(network, network.frame, Vec::new(), []);
     PLACES.into_iter().map(move |by| moved(&rows, at, by))
 }
 
-/// A coordinate of the driver beside another one, by radians or scaled lengths.
+/// Moves a coordinate of the driver by radians or scaled lengths.
 fn moved(rows: &Rows<'_>, at: f64, by: f64) -> f64 {
     match rows.network.mechanism.driver().input {
         crate::Input::Turn(_) => at + by.to_degrees(),
@@ -186,7 +187,7 @@ fn moved(rows: &Rows<'_>, at: f64, by: f64) -> f64 {
     }
 }
 
-/// Whether a mechanism has more unknowns than are decomposed.
+/// Returns `true` if a mechanism has too many unknowns for a decomposition.
 pub(super) fn is_too_large(network: &Network<'_>) -> bool {
     let scalars = all_unknowns(network)
         .into_iter()
@@ -194,11 +195,11 @@ pub(super) fn is_too_large(network: &Network<'_>) -> bool {
             ScalarUnknown::Point(_) => 2,
             ScalarUnknown::Class(_) => 1,
         });
-    // Links of one class count more than once, which is near enough.
+    // Links of one class are counted more than once; the error is acceptable here.
     scalars.sum::<usize>() > MOST_UNKNOWNS
 }
 
-/// Every unknown of a mechanism.
+/// Returns every unknown of a mechanism.
 fn all_unknowns(network: &Network<'_>) -> Vec<ScalarUnknown> {
     let mechanism = network.mechanism;
     let classes = mechanism.link_ids().map(|link| network.class(link));
@@ -217,7 +218,7 @@ struct Judged {
     rank: usize,
     is_held: bool,
     is_unclear: bool,
-    /// A share below this is rounding.
+    /// A share below this is rounding error.
     noise: f64,
 }
 
@@ -273,16 +274,16 @@ impl Judged {
     }
 }
 
-/// What the rank says of the coupled groups of a mechanism that opened.
+/// The result of the rank analysis of a mechanism's coupled groups.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Groups {
-    /// The elements of one that is singular wherever it was looked at.
+    /// The elements of a group that is singular at every examined position.
     pub(super) singular: Option<Vec<ElementId>>,
     pub(super) is_unclear: bool,
     pub(super) is_lower_at_start: bool,
 }
 
-/// Looks at every coupled group at the start, and where it is singular there, elsewhere.
+/// Examines every coupled group at the start and, if it is singular there, elsewhere.
 pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
     let mut found = Groups::default();
     let is_coupled = |g: &&Group| matches!(g.kind, GroupKind::Coupled { .. });
@@ -319,7 +320,7 @@ pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
     found
 }
 
-/// The block of equations that a group was made from.
+/// Returns the block of equations from which a group was made.
 fn block_of<'s>(
     network: &Network<'_>,
     solver: &'s Solver,
@@ -337,17 +338,19 @@ fn block_of<'s>(
     })
 }
 
-/// By how much rows are turned by the slack of joints, and by the misfit that is accepted, in radians. Rounding turns
-/// none by more than [`ROUNDED`]: where a link is shorter than that the pose that was found is taken for exact,
-/// of a mechanism that is the drawn one but for rounding.
+/// Returns the rotation of rows due to the slack of joints and due to the accepted disagreement, in
+/// radians.
+///
+/// Rounding is assumed to rotate no row by more than [`ROUNDED`]. For shorter links, the assembled
+/// pose counts as exact, for a mechanism that equals the drawn one up to rounding.
 fn turned(rows: &Rows<'_>, slack: f64, misfit: f64) -> [f64; 2] {
     let arm = shortest(rows);
     let doubt = misfit / arm;
     [(slack / arm).min(ROUNDED.max(doubt)), doubt]
 }
 
-/// The shortest distance of two joints of a link, in the solver's unit: what a slack of theirs makes of
-/// its direction.
+/// Returns the minimum distance of two joints of a link, in the solver's unit. It determines how
+/// much a joint's slack rotates the link.
 fn shortest(rows: &Rows<'_>) -> f64 {
     let mut shortest = f64::INFINITY;
     for &row in &rows.rows {

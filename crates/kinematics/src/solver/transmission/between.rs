@@ -1,55 +1,56 @@
-//! Extremes between two neighbouring states.
+//! Finds extrema of transmission angles between two neighbouring states.
 //!
-//! A state of a long chain costs as much as the chain is long, and it has as many extremes as dyads. So
-//! extremes between the same two neighbours are sought together: the same few states between them serve
-//! all these dyads, and the whole takes a number of states that does not depend on the length of the chain.
-//! Sums of Chebyshev polynomials stand for a dyad there. Where they do not, as next to a limit, its extreme
-//! is sought by states of its own.
+//! Solving a state of a long chain takes time in proportion to its length, and there are as many
+//! extrema as dyads. Extrema between the same two neighbours are therefore sought together. A few
+//! intermediate states serve all these dyads, and their number does not depend on the length of the
+//! chain. Sums of Chebyshev polynomials approximate each dyad in between. If they do not converge,
+//! as next to a limit, the extremum is sought with separate states.
 
 use super::{DyadLines, SeenJoint};
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
 use crate::numeric::{few_decimals, root};
 use crate::solver::{Order, Solver, Workspace};
 
-/// An extreme is flat: its rate, a difference of two turnings, is rounding for so many units in the last
-/// place around it, and of these the one with few decimals is named: 0 rather than -6e-15 degrees.
+/// Blur of an extremum in ulps. An extremum is flat: within this distance, its rate, a difference
+/// of two angular velocities, is rounding error. The position with few decimals is reported: 0
+/// rather than -6e-15 degrees.
 const BLUR: f64 = 1024.0;
-/// Of a smooth function the terms fall as a geometric series does: where they have come down to this part
-/// of the largest after a third of them, the last ones are down to the cube of it, which is rounding. The
-/// terms themselves do not fall as far, since the states are rounded, too.
+/// Maximum size of the terms after the first third, relative to the largest. The terms of a smooth
+/// function fall geometrically, so that the last ones are about the cube of this, which is rounding
+/// error. The terms themselves do not fall as far, because the states are rounded, too.
 const FALLEN: f64 = 1e-5;
 
-/// Two neighbours between which mu turns back.
+/// Two neighbouring states between which mu has an extremum.
 #[derive(Clone, Copy)]
 pub(super) struct Bracket {
     pub(super) ends: [DyadLines; 2],
     pub(super) reading: ExtremeFunction,
-    /// The cosine that is to be expected between them.
+    /// The expected cosine of the extremum.
     pub(super) cosine: f64,
 }
 
-/// What has its zero at an extreme: for lines without a sense mu is 90 degrees at the most, where the
-/// cosine changes its sign.
+/// The function that is zero at an extremum. For undirected lines mu is at most 90 degrees, reached
+/// where the cosine changes its sign.
 #[derive(Clone, Copy)]
 pub(super) enum ExtremeFunction {
     Rate,
     Cosine,
 }
 
-/// A bracket and the joint to which it belongs.
+/// A bracket and its joint.
 struct Sought {
     joint: usize,
     bracket: Bracket,
 }
 
-/// A dyad between two coordinates: sine, cosine and its rate.
+/// The sine, cosine and rate of the cosine of a dyad between two coordinates, as sums.
 struct Sums {
     ends: [f64; 2],
     sums: [ChebyshevSum; 3],
 }
 
 impl Solver {
-    /// Looks at the extremes of all joints between the states in which they have been seen.
+    /// Finds the extrema of all joints between the observed states.
     pub(super) fn look_between(&self, seen: &mut [SeenJoint<'_>], work: &mut Workspace) {
         let mut sought = Vec::new();
         for (joint, seen) in seen.iter_mut().enumerate() {
@@ -76,7 +77,8 @@ impl Solver {
         }
     }
 
-    /// The sums of several dyads between the same coordinates; `None` for one for which they do not stand.
+    /// Returns the sums of several dyads between the same coordinates; `None` for a dyad whose sums
+    /// do not converge.
     fn sums(
         &self,
         basis: &Basis,
@@ -113,7 +115,7 @@ impl Solver {
         values.into_iter().map(stand).collect()
     }
 
-    /// The extreme in a bracket, by looks between its ends.
+    /// Finds the extremum in a bracket by evaluating states between its ends.
     fn extreme(
         &self,
         bracket: &Bracket,

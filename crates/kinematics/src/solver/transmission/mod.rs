@@ -14,12 +14,13 @@ use super::{Order, Range, Solver, Workspace};
 use crate::{LinkId, PointId, Vec2};
 use between::{Bracket, ExtremeFunction};
 
-/// The parabolas between samples tell cosines as well as this: brackets that are worse than what has been
-/// seen by no more are looked into.
+/// Tolerance for cosines estimated by parabolas between samples: brackets worse than the best
+/// sample by no more than this are examined.
 const LIKELY: f64 = 1e-4;
-/// Angles in rad that differ by less are one: then the extreme that comes first is named.
+/// Angles that differ by less than this, in rad, are equal: then the first extremum is reported.
 const SAME: f64 = 1e-12;
-/// A limit has no rates; it is looked at from this far inside, as a part of the range.
+/// Distance from a limit, as a fraction of the range, at which the state next to it is sampled,
+/// because a limit has no rates.
 const INSIDE: f64 = 1e-9;
 
 /// The transmission angle of a group over the motion.
@@ -27,38 +28,38 @@ const INSIDE: f64 = 1e-9;
 pub struct Transmission {
     /// The group.
     pub group: GroupId,
-    /// Where mu is smallest.
+    /// The minimum of mu.
     pub smallest: Extreme,
-    /// Where mu is largest.
+    /// The maximum of mu.
     pub largest: Extreme,
 }
 
-/// An extreme of a transmission angle: of several equal ones, the one at the smallest coordinate.
+/// An extremum of a transmission angle; the one at the smallest coordinate if several are equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
-    /// The angle at the inner joint in degrees: from 0 to 180 between two links, to 90 where one of
-    /// the two lines is the normal of a guide.
+    /// The angle at the inner joint, in degrees: from 0 to 180 between two links, or to 90 if one
+    /// of the two lines is the normal of a guide.
     pub angle: f64,
     /// The driver's coordinate, in degrees or the scene's length unit.
     pub at: f64,
 }
 
 impl Transmission {
-    /// The largest deviation from the best angle, 90 degrees, in degrees.
+    /// Returns the maximum deviation from the best angle, 90 degrees, in degrees.
     #[must_use]
     pub fn deviation(&self) -> f64 {
         (90.0 - self.smallest.angle).max(self.largest.angle - 90.0)
     }
 }
 
-/// One of the two lines at an inner joint: its direction, of any length, and its turning.
+/// One of the two lines at an inner joint: its direction, not normalized, and its angular velocity.
 pub(super) struct Ray {
     d: Vec2,
     w: f64,
 }
 
 impl Ray {
-    /// From point to point.
+    /// Creates the line from point to point.
     pub(super) fn between(from: PointId, to: PointId, state: &State) -> Ray {
         let (a, b) = (state.points[from.index()], state.points[to.index()]);
         let d = b.p - a.p;
@@ -68,7 +69,7 @@ impl Ray {
         }
     }
 
-    /// Along a direction of a link's frame.
+    /// Creates a line along a direction of a link's frame.
     pub(super) fn on(link: LinkId, along: Vec2, state: &State) -> Ray {
         let link = state.links[link.index()];
         Ray {
@@ -77,7 +78,7 @@ impl Ray {
         }
     }
 
-    /// Of the ground.
+    /// Creates a line fixed in the ground.
     pub(super) fn fixed(d: Vec2) -> Ray {
         Ray { d, w: 0.0 }
     }
@@ -87,12 +88,12 @@ impl Ray {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InnerJoint {
     group: usize,
-    /// Whether one of the two lines is a normal, which has no sense of its own.
+    /// Whether one of the two lines is a guide's normal, which is undirected.
     has_normal: bool,
 }
 
 impl InnerJoint {
-    /// Between two links.
+    /// Creates the inner joint between two links.
     pub(super) fn of_links(group: usize) -> InnerJoint {
         InnerJoint {
             group,
@@ -100,7 +101,7 @@ impl InnerJoint {
         }
     }
 
-    /// Between anything and the normal of a guide.
+    /// Creates the inner joint between a line and the normal of a guide.
     pub(super) fn beside_normal(group: usize) -> InnerJoint {
         InnerJoint {
             group,
@@ -109,34 +110,34 @@ impl InnerJoint {
     }
 }
 
-/// The lines of a dyad in one state: the angle from the first to the second.
+/// The angle from the first to the second line of a dyad, in one state.
 #[derive(Clone, Copy)]
 struct DyadLines {
     at: f64,
     sine: f64,
     cosine: f64,
-    /// The rate of the cosine, where there are rates.
+    /// The rate of the cosine, if it exists.
     rate: Option<f64>,
 }
 
-/// An inner joint, and where it is.
+/// An inner joint and its step.
 struct Joint<'s> {
     step: &'s Step,
     of: InnerJoint,
 }
 
-/// The smallest or the largest mu that has been seen.
+/// The minimum or maximum mu so far.
 #[derive(Clone, Copy)]
 struct Best {
-    /// -1 for the smallest, 1 for the largest.
+    /// -1 for the minimum, 1 for the maximum.
     sense: f64,
-    /// Of cosines, the larger one is better.
+    /// The rank of the cosine; larger is better.
     rank: f64,
     mu: f64,
     at: f64,
 }
 
-/// A joint, and what has been seen of it on the way through the motion.
+/// A joint with the extrema and brackets found so far.
 struct SeenJoint<'s> {
     joint: Joint<'s>,
     last: Option<DyadLines>,
@@ -145,10 +146,10 @@ struct SeenJoint<'s> {
 }
 
 impl Solver {
-    /// The smallest and the largest transmission angle of every dyad, with where they occur, in the
-    /// order of the plan. Coupled groups have none.
+    /// Returns the minimum and maximum transmission angle of every dyad with their positions, in
+    /// the order of the plan. Coupled groups have none.
     ///
-    /// Takes a few times as long as opening: the whole motion is looked at once more.
+    /// Takes a few times as long as opening, because it solves the whole motion once more.
     #[must_use]
     pub fn transmission(&self) -> Vec<Transmission> {
         let mut work = self.state();
@@ -157,7 +158,7 @@ impl Solver {
         seen.iter().filter_map(SeenJoint::found).collect()
     }
 
-    /// All joints, looked at over the whole motion.
+    /// Returns all joints, observed over the whole motion.
     fn seen(&self, work: &mut Workspace) -> Vec<SeenJoint<'_>> {
         let steps = self.engine.program.steps.iter();
         let mut seen: Vec<SeenJoint<'_>> =
@@ -171,8 +172,8 @@ impl Solver {
         seen
     }
 
-    /// Where the motion is looked at, ascending: where the walk has been, at change points and at the
-    /// ends.
+    /// Returns the coordinates at which the motion is observed, ascending: the samples of the
+    /// tracked motion, the change points and the ends.
     fn looked_at(&self) -> Vec<f64> {
         let mut at = self.motion.samples.clone();
         at.extend(&self.motion.change_points);
@@ -217,7 +218,7 @@ impl<'s> Joint<'s> {
         })
     }
 
-    /// The cosine of mu.
+    /// Returns the cosine of mu.
     fn folded(&self, cosine: f64) -> f64 {
         if self.of.has_normal {
             cosine.abs()
@@ -226,12 +227,12 @@ impl<'s> Joint<'s> {
         }
     }
 
-    /// The places between two neighbours where mu turns back.
+    /// Returns the brackets between two neighbouring states where mu has an extremum.
     fn between(&self, engine: &Engine, ends: [DyadLines; 2]) -> impl Iterator<Item = Bracket> {
         let [a, b] = ends;
         let vertex = match (a.rate, b.rate) {
             (Some(rate_a), Some(rate_b)) if rate_a * rate_b < 0.0 => {
-                // The vertex of a parabola. What it gains may be rounding, where mu does not change.
+                // The vertex of a parabola. If mu is constant, its gain may be rounding error.
                 let share = rate_a / (rate_a - rate_b);
                 let gain = 0.5 * share * engine.difference(a.at, b.at) * rate_a;
                 (gain.abs() > 0.5 * SAME * a.sine.abs()).then_some(a.cosine + gain)
@@ -263,12 +264,12 @@ impl Best {
         }
     }
 
-    /// Small angles have large cosines.
+    /// Returns the rank of a cosine: small angles have large cosines.
     fn rank(&self, folded: f64) -> f64 {
         -self.sense * folded
     }
 
-    /// Takes another mu if it is better, or comes first.
+    /// Takes another mu if it is better, or equal and earlier.
     fn consider(&mut self, look: &DyadLines, folded: f64) {
         let rank = self.rank(folded);
         let mu = look.sine.abs().atan2(folded);
@@ -295,14 +296,14 @@ impl<'s> SeenJoint<'s> {
         }
     }
 
-    /// Looks at the next state.
+    /// Observes the next state.
     fn note(&mut self, engine: &Engine, condition: Condition, state: &State) {
         let Some(look) = self.joint.look(condition, state) else {
             return;
         };
         let folded = self.joint.folded(look.cosine);
         for best in &mut self.best {
-            // Cosines tell at once that most places are no better.
+            // Comparing cosines first avoids an arctangent at most positions.
             if best.rank(folded) > best.rank {
                 best.consider(&look, folded);
             }
@@ -313,7 +314,8 @@ impl<'s> SeenJoint<'s> {
         }
     }
 
-    /// Takes the brackets in which a smaller or a larger mu may lie than any that has been seen.
+    /// Removes all brackets and returns those that may contain a smaller or larger mu than found so
+    /// far.
     fn take_likely(&mut self) -> impl Iterator<Item = Bracket> {
         let (joint, best) = (&self.joint, &self.best);
         self.brackets.drain(..).filter(|bracket| {
@@ -323,7 +325,7 @@ impl<'s> SeenJoint<'s> {
         })
     }
 
-    /// Looks at an extreme that has been found between two states.
+    /// Takes account of an extremum found between two states.
     fn consider(&mut self, look: &DyadLines) {
         let folded = self.joint.folded(look.cosine);
         self.best

@@ -1,29 +1,30 @@
-//! Where a curve turns, and where exactly.
+//! Finds the extrema of a curve and refines them.
 
 use super::Curve;
 use super::probe::Probe;
 use crate::numeric::{Unsettled, lowest, roots, turns};
 
-/// A place at which a figure is largest or smallest among its neighbours.
+/// A local extremum of a quantity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extremum {
-    /// A maximum, or else a minimum.
+    /// Whether it is a maximum; if not, a minimum.
     pub is_peak: bool,
-    /// The driver's coordinate there, in degrees or in the scene's length unit.
+    /// The driver's coordinate at the extremum, in degrees or in the scene's length unit.
     pub at: f64,
-    /// What stands along x there.
+    /// The abscissa at the extremum.
     pub along: f64,
-    /// The figure there.
+    /// The value of the quantity.
     pub value: f64,
-    /// Whether it is the largest of the maxima, or the smallest of the minima.
+    /// Whether it is the largest of the maxima or the smallest of the minima.
     pub is_extreme: bool,
 }
 
-/// A turn counts where the curve goes away from it by this part of its range.
+/// Minimum height of an extremum, as a fraction of the curve's range.
 pub(super) const LEAST_TURN: f64 = 2e-3;
 
 impl Probe {
-    /// Where a curve turns. `at` of each is still the place, and `along` is not yet known.
+    /// Finds the extrema of a curve. Their `at` is still the sampled place, and `along` is not yet
+    /// known.
     pub(super) fn extrema(
         &mut self,
         column: usize,
@@ -68,7 +69,8 @@ impl Probe {
         found
     }
 
-    /// The place and the value of a turn near a sample: where the slope is 0, if that is known.
+    /// Refines an extremum near a sample: by the zero of the slope if that is known, or else by
+    /// minimization. Returns the place and the value.
     fn refined(
         &mut self,
         column: usize,
@@ -92,13 +94,13 @@ impl Probe {
         }
         let f = |place| Some(sense * self.value(column, place)?);
         let found = lowest(f, [around[0], around[2]], (here, sense * value));
-        // Beside a gap the lowest that was seen is still a value of the figure.
+        // Next to a gap, the lowest point found is still a value of the quantity.
         let (place, value) = found.unwrap_or_else(Unsettled::best);
         (place, sense * value)
     }
 }
 
-/// The samples that hang together.
+/// Returns the ranges of connected samples.
 fn runs(values: &[Option<f64>], breaks: &[bool]) -> Vec<std::ops::Range<usize>> {
     let mut runs = Vec::new();
     let mut start = None;
@@ -119,7 +121,7 @@ fn mark_extremes(extrema: &mut [Extremum]) {
     for is_peak in [true, false] {
         let sense = if is_peak { 1.0 } else { -1.0 };
         let all = extrema.iter_mut().filter(|e| e.is_peak == is_peak);
-        // Of equals the first.
+        // The first of several equal ones wins.
         let most = all.reduce(|best, e| {
             if sense * e.value > sense * best.value {
                 e

@@ -1,4 +1,4 @@
-//! Quantities over the motion: samples to draw, the gaps between them, and where they turn.
+//! Samples quantities over the motion for plots, with gaps, jumps and extrema.
 
 mod extrema;
 mod probe;
@@ -18,25 +18,25 @@ use probe::Probe;
 use span::{NEAR, shown};
 use thiserror::Error;
 
-/// What stands along x.
+/// The quantity along the x axis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Abscissa {
     /// The driver's coordinate.
     #[default]
     Driver,
-    /// Time in seconds, 0 where the scene opens: see [`Clock`].
+    /// Time in seconds, 0 at the scene's start: see [`Clock`].
     Time,
     /// Another quantity.
     Figure(Quantity),
 }
 
-/// Why nothing can be drawn over time.
+/// The reason why curves over time are impossible.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum NoTime {
-    /// The driver stands still.
+    /// The driver's speed is 0.
     #[error("{}", words().no_time_passes())]
     StandsStill,
-    /// The driver turns back before it comes to a coordinate that was asked for.
+    /// The driver reverses before it reaches a requested coordinate.
     #[error("{}", words().driver_turns_back(*.0))]
     TurnsBack(f64),
 }
@@ -44,70 +44,70 @@ pub enum NoTime {
 /// Samples of some quantities over the motion, or over a part of it.
 #[derive(Clone, Debug)]
 pub struct Curves {
-    /// What stands along x.
+    /// The quantity along the x axis.
     pub abscissa: Abscissa,
-    /// Its name and unit: `driver.angle`, `deg`; `time`, `s`.
+    /// The name and unit of the x axis: `driver.angle`, `deg`; `time`, `s`.
     pub title: [String; 2],
-    /// The quantity that is the driver's coordinate.
+    /// The driver's coordinate as a quantity.
     pub driver: Quantity,
-    /// The driver's coordinate of each sample, in degrees or in the scene's length unit.
+    /// The driver's coordinate at each sample, in degrees or in the scene's length unit.
     pub at: Vec<f64>,
-    /// What stands along x at each sample.
+    /// The abscissa of each sample.
     pub along: Vec<Option<f64>>,
-    /// What each state is.
+    /// The condition of each state.
     pub conditions: Vec<Condition>,
-    /// The quantities, in the order in which they were asked for.
+    /// The curves, in the order of the requested quantities.
     pub curves: Vec<Curve>,
-    /// Why figures that exist are not shown, at the first sample where that is so.
+    /// The reason why existing values are not shown, at the first sample where some are not.
     pub hidden: Option<Hidden>,
-    /// Between which samples what stands along x jumps.
+    /// Whether the abscissa jumps behind each sample.
     breaks: Vec<bool>,
     clock: Option<Clock>,
-    /// The period after which the samples repeat.
+    /// The period of the samples, if they repeat.
     period: Option<f64>,
-    /// Of a driver that does not keep its speed: after how many degrees the linkage is where it was.
+    /// The period of the linkage in the driver's coordinate, for a driver of varying speed.
     turn: Option<f64>,
 }
 
 /// The samples of a quantity.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What was sampled.
+    /// The sampled quantity.
     pub quantity: Quantity,
-    /// Its value at each sample; `None` where none exists.
+    /// The value at each sample; `None` if it does not exist.
     pub values: Vec<Option<f64>>,
-    /// Where it turns.
+    /// The extrema.
     pub extrema: Vec<Extremum>,
-    /// Between which samples it jumps, as a direction does from 360 to 0 deg: behind the first of the
-    /// two.
+    /// Whether the curve jumps behind each sample, as a direction does from 360 to 0 degrees.
     breaks: Vec<bool>,
-    /// Where it stays, if it does not change by more than what its own error may be.
+    /// The constant value, if it changes by no more than its own error bound.
     level: Option<f64>,
 }
 
-/// The quantities in one state.
+/// The values in one state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Here {
-    /// What stands along x; `None` outside of what was sampled.
+    /// The abscissa; `None` outside of the sampled range.
     pub along: Option<f64>,
     /// The value of each curve.
     pub values: Vec<Option<f64>>,
 }
 
-/// Samples of the usual scene over its motion, and of one with so many points and links that this
-/// would be seen as a delay.
+/// Number of samples for scenes of usual size, and for scenes with so many points and links that
+/// more samples would cause a noticeable delay.
 const SAMPLES: usize = 720;
 const FEWEST_SAMPLES: usize = 180;
-/// This near to the end of a period, as a part of it, is where the next one begins.
+/// Tolerance for the end of a period, as a fraction of it: closer positions count as the beginning
+/// of the next period.
 const SEAM: f64 = 1e-9;
-/// Points and links of all samples together.
+/// Maximum number of points and links in all samples together.
 const MOST_ROWS: usize = 400_000;
 
 impl Curves {
-    /// Solves for the quantities over the whole motion, or over a window of the driver's coordinate.
+    /// Samples the quantities over the whole motion, or over a window of the driver's coordinate.
     ///
     /// # Errors
-    /// Over time, where there is none.
+    /// For curves over time, if there is no time.
     pub fn new(
         scene: &Scene,
         solver: &Solver,
@@ -205,14 +205,14 @@ impl Curves {
         Ok(all)
     }
 
-    /// Finds what stands along x at each extremum; one that lies beyond an end is one period before, and
-    /// one where a period ends and begins is at the beginning.
+    /// Computes the abscissa of each extremum. One beyond an end is moved by a period, and one at
+    /// the seam of two periods is moved to the beginning.
     fn place_extrema(&mut self, probe: &mut Probe) {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let figure = self.curves.len();
         for curve in &mut self.curves {
             for extremum in &mut curve.extrema {
-                // Until here, the place is that of the probe.
+                // So far, `at` holds the probe's place.
                 let mut place = extremum.at;
                 if let Some(period) = self.period {
                     let seam = SEAM * period;
@@ -234,7 +234,7 @@ impl Curves {
         }
     }
 
-    /// The coordinate or the time of a sample; of the last one for any number beyond.
+    /// Returns the coordinate or the time of a sample; the last one for larger indices.
     fn places(&self, sample: usize) -> f64 {
         let sample = sample.min(self.at.len().saturating_sub(1));
         let place = match self.abscissa {
@@ -244,14 +244,15 @@ impl Curves {
         place.unwrap_or(0.0)
     }
 
-    /// The parts of a curve that hang together: places of what stands along x and the value. Parts of
-    /// one sample are possible, parts of none are not.
+    /// Returns the connected pieces of a curve as points of abscissa and value. A piece can consist
+    /// of one sample, but is never empty.
     #[must_use]
     pub fn pieces(&self, curve: usize) -> Vec<Vec<[f64; 2]>> {
         self.pieces_beside(curve, |_| Some(0.0))
     }
 
-    /// The same of a curve beside it, as far above it at each sample as is told; a gap where nothing is.
+    /// Returns the pieces of the curve shifted by `above` at each sample, with a gap where that is
+    /// `None`.
     #[must_use]
     pub fn pieces_beside(
         &self,
@@ -279,13 +280,13 @@ impl Curves {
         pieces
     }
 
-    /// From where to where x goes; of nothing at all, nothing.
+    /// Returns the displayed range of the abscissa; `None` without values.
     #[must_use]
     pub fn span(&self) -> Option<(f64, f64)> {
         shown(&self.along, &self.breaks)
     }
 
-    /// What stands along x, and every curve, in a state of the whole solver.
+    /// Returns the abscissa and the value of every curve in a state of the complete solver.
     #[must_use]
     pub fn here(&self, state: &State) -> Here {
         let place = self.place_of(state.at());
@@ -293,7 +294,8 @@ impl Curves {
         self.beside(place, |quantity| paced(quantity, state, pace))
     }
 
-    /// The same of curves over time in a state whose driver passes as it does then, see [`DriverStand`].
+    /// Returns the abscissa and the value of every curve over time, in a state whose driver has the
+    /// rates of that time, see [`DriverStand`].
     ///
     /// [`DriverStand`]: crate::quantity::DriverStand
     #[must_use]
@@ -319,7 +321,7 @@ impl Curves {
         }
     }
 
-    /// Where among the samples the driver's coordinate lies, as a coordinate or a time.
+    /// Returns the place of the driver's coordinate among the samples, as a coordinate or a time.
     fn place_of(&self, at: f64) -> Option<f64> {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let (low, high) = (first.min(last), first.max(last));
@@ -333,7 +335,8 @@ impl Curves {
         })
     }
 
-    /// A coordinate or a time among the samples, or after whole periods.
+    /// Shifts a coordinate or a time by whole periods into the sampled range; `None` if it is
+    /// outside.
     fn within(&self, place: f64) -> Option<f64> {
         let (first, last) = (self.places(0), self.places(usize::MAX));
         let (low, high) = (first.min(last), first.max(last));
@@ -345,8 +348,7 @@ impl Curves {
         (low..=high).contains(&place).then_some(place)
     }
 
-    /// The coordinate on the way of a driver that does not keep its speed, at which the linkage is as at
-    /// this one.
+    /// Returns the equivalent coordinate within the samples, for a driver of varying speed.
     fn reduced(&self, at: f64) -> f64 {
         let Some(turn) = self.turn else {
             return at;
@@ -357,30 +359,30 @@ impl Curves {
 }
 
 impl Curve {
-    /// The range of values that is worth showing: all of them, but next to a gap, where a figure may
-    /// grow beyond all bounds, not much more than where most of them are. What stays has its place alone.
-    /// `None` where there is none.
+    /// Returns the displayed range of values; `None` without values. Usually it covers all values.
+    /// Next to a gap, where a value may grow without bound, it ends not far beyond the usual
+    /// values. A constant curve has only its value.
     #[must_use]
     pub fn range(&self) -> Option<(f64, f64)> {
         if let Some(level) = self.level {
             return Some((level, level));
         }
         let (low, high) = shown(&self.values, &self.breaks)?;
-        // A curve turns between samples, and a little farther out.
+        // Extrema lie between samples, slightly beyond their range.
         let near = NEAR * (high - low);
         let turns = self.extrema.iter().map(|e| e.value);
         let turns = turns.filter(|&v| low - near <= v && v <= high + near);
         Some(turns.fold((low, high), |(low, high), v| (low.min(v), high.max(v))))
     }
 
-    /// Whether it does not change by more than its own error may be.
+    /// Returns `true` if it changes by no more than its own error bound.
     #[must_use]
     pub fn is_level(&self) -> bool {
         self.level.is_some()
     }
 }
 
-/// From where to where, as coordinates or times.
+/// Returns the ends of the sampled range, as coordinates or times.
 fn stretch(
     range: Range,
     clock: Option<&Clock>,
@@ -398,7 +400,7 @@ fn stretch(
     }
 }
 
-/// After what the samples repeat, where they cover just that: in degrees or seconds.
+/// Returns the period of the samples, in degrees or seconds, if they cover exactly one.
 fn period(range: Range, clock: Option<&Clock>, window: Option<(f64, f64)>) -> Option<f64> {
     let way = match range {
         Range::Full { period } => Some(period),

@@ -1,4 +1,4 @@
-//! Reading quantities anywhere on the way: samples, slopes, and jumps between samples.
+//! Evaluates quantities at any place of the motion: samples, slopes and jumps between samples.
 
 use super::super::clock::Clock;
 use super::super::{Hidden, Quantity, demand};
@@ -7,19 +7,20 @@ use crate::angle::{self, TURN, beside};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{DriverMoment, Input, LANES, Lanes};
 
-/// Of its range, a curve that goes through more than this from one sample to the next is looked at
-/// more closely: it may jump.
+/// Maximum change between two samples without an examination for a jump, relative to the curve's
+/// range.
 const STEEP: f64 = 0.2;
-/// Halvings by which a jump is told from a steep slope: a millionth of the way between two samples.
+/// Number of bisections that distinguish a jump from a steep slope: down to a millionth of the
+/// distance of two samples.
 const HALVINGS: u32 = 20;
-/// A change that is less than this part of the values is the rounding of what they come from.
+/// A relative change of the values below this is rounding error of their inputs.
 const ROUNDING: f64 = 1e-11;
-/// A change is one where it is more than so many times what an error may be.
+/// Factor of the error bound above which a change counts as real.
 const DOUBT: f64 = 4.0;
-/// The places at which errors are looked at, to tell such a change.
+/// Number of places at which error bounds are computed to decide this.
 const WITNESSES: usize = 16;
 
-/// Reads the quantities anywhere on the way, by coordinate or by time.
+/// Evaluates quantities at any place of the motion, given as a coordinate or a time.
 pub(super) struct Probe {
     solver: Solver,
     order: Order,
@@ -28,9 +29,10 @@ pub(super) struct Probe {
     clock: Option<Clock>,
     state: Workspace,
     lanes: Workspace<Lanes>,
-    /// The same over what a place is: of a coordinate with a speed of 1, of a time with the scene's.
+    /// A solver for slopes over the place: with a speed of 1 for a coordinate, with the scene's for
+    /// a time.
     slopes: (Solver, Workspace),
-    /// Why figures are not shown, at the first sample where that is so.
+    /// The reason why values are not shown, at the first sample where some are not.
     pub(super) hidden: Option<Hidden>,
 }
 
@@ -60,7 +62,8 @@ impl Probe {
         }
     }
 
-    /// The driver's coordinate at a place; rounding leads neither out of a limit nor beside it.
+    /// Returns the driver's coordinate at a place. Rounding moves it neither beyond a limit nor
+    /// slightly inside it.
     pub(super) fn coordinate(&self, place: f64) -> f64 {
         match &self.clock {
             None => place,
@@ -68,7 +71,7 @@ impl Probe {
         }
     }
 
-    /// Where a driver that does not keep its speed is, and how fast.
+    /// Returns the moment of a driver of varying speed.
     fn moment(&self, place: f64) -> Option<DriverMoment> {
         let uneven = self.clock.as_ref().filter(|clock| !clock.is_even())?;
         Some(uneven.moment(place, self.range))
@@ -87,8 +90,8 @@ impl Probe {
         self.columns[column].value(&self.state)
     }
 
-    /// The slope of a column over its place, but for a factor that is the same everywhere; `None` where
-    /// it has none, and of what no rate is known.
+    /// Returns the slope of a column over the place, up to a constant factor; `None` if it does not
+    /// exist or no rate is known.
     pub(super) fn slope(&mut self, column: usize, place: f64) -> Option<f64> {
         let rate = self.columns[column].rate()?;
         let (at, moment) = (self.coordinate(place), self.moment(place));
@@ -100,7 +103,7 @@ impl Probe {
         rate.value(state)
     }
 
-    /// Every column at these places, and what the states are.
+    /// Evaluates every column at these places, with the conditions of the states.
     pub(super) fn sample(&mut self, places: &[f64]) -> (Vec<Vec<Option<f64>>>, Vec<Condition>) {
         let mut columns = vec![Vec::with_capacity(places.len()); self.columns.len()];
         let mut conditions = Vec::with_capacity(places.len());
@@ -122,7 +125,8 @@ impl Probe {
         (columns, conditions)
     }
 
-    /// Whether all places could be solved at once; then they are in the columns.
+    /// Evaluates all places at once in lanes. Returns `false`, without adding values, if that is
+    /// impossible.
     fn sample_at_once(&mut self, block: &[f64], columns: &mut [Vec<Option<f64>>]) -> bool {
         let Some(&last) = block.last().filter(|&&p| self.moment(p).is_none()) else {
             return false;
@@ -134,7 +138,7 @@ impl Probe {
         if !self.solver.solve_lanes(at, self.order, &mut self.lanes) {
             return false;
         }
-        // Where one lane has no value, none is told: then each is looked at alone.
+        // If one lane has no value, the lanes have none: then each place is evaluated separately.
         let read = |quantity: &Quantity| quantity.value(&self.lanes);
         let Some(read) = self.columns.iter().map(read).collect::<Option<Vec<_>>>() else {
             return false;
@@ -145,7 +149,7 @@ impl Probe {
         true
     }
 
-    /// Between which samples a column jumps.
+    /// Returns whether a column jumps behind each sample.
     pub(super) fn breaks(
         &mut self,
         column: usize,
@@ -169,7 +173,7 @@ impl Probe {
             .collect()
     }
 
-    /// Whether a load jumps between two places, and the column has to do with forces.
+    /// Returns `true` if a load jumps between two places and the column depends on forces.
     fn is_jump_of_load(&self, column: usize, ends: [f64; 2]) -> bool {
         if self.columns[column].order() != Order::Force {
             return false;
@@ -181,7 +185,8 @@ impl Probe {
         profiles.any(|over| over.jumps_between(a.min(b), a.max(b), turns))
     }
 
-    /// Whether the change between two places does not become less however close they are.
+    /// Returns `true` if the change between two places does not decrease as they approach each
+    /// other.
     pub(super) fn jumps(
         &mut self,
         column: usize,
@@ -200,12 +205,12 @@ impl Probe {
                 return false;
             }
         }
-        // What is left changes nothing between two doubles that a steep slope could tell from a jump.
+        // A smaller change may be rounding error.
         whole > ROUNDING * values[0].abs().max(values[1].abs())
     }
 
-    /// Where a column stays, if it changes by no more than its own error may be: then one value is within
-    /// the errors of all. What may be 0 is 0.
+    /// Returns the constant value of a column, if it changes by no more than its own error bound,
+    /// so that one value is within all bounds. A value that may be 0 becomes 0.
     pub(super) fn level(
         &mut self,
         column: usize,
@@ -213,7 +218,7 @@ impl Probe {
         values: &[Option<f64>],
         conditions: &[Condition],
     ) -> Option<f64> {
-        // At a dead point a figure is only good to the square root of a rounding.
+        // At a dead point, a value is accurate only to the square root of a rounding error.
         let firm = values.iter().zip(conditions).enumerate();
         let firm = firm.filter(|(_, (_, condition))| **condition != Condition::DeadPoint);
         let mut firm: Vec<(usize, f64)> = firm.filter_map(|(i, (v, _))| Some((i, (*v)?))).collect();
@@ -253,7 +258,7 @@ impl Probe {
         })
     }
 
-    /// What the error of a column does not exceed at a place, if that can be proved.
+    /// Returns a bound on the error of a column at a place, if one can be proved.
     fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
         let _ = self.solve(place);
         let mut enclosure = self.solver.enclosure();

@@ -1,15 +1,15 @@
-//! What of a range of values is worth showing.
+//! Selects the displayed range of values.
 
-/// Parts of the samples between which most of them are.
+/// Quantiles of the samples that count as usual values.
 const USUAL: (f64, f64) = (0.02, 0.98);
-/// A range that is so many times that of most samples is not shown whole next to a gap, but this much
-/// beyond them.
+/// Next to a gap, a range larger than the usual one by the factor `UNUSUAL` is cut off, at `BEYOND`
+/// times the usual range beyond it.
 const UNUSUAL: f64 = 3.0;
 const BEYOND: f64 = 0.5;
-/// So much farther out than the samples a curve may turn between them, as a part of the range.
+/// Maximum overshoot of a curve between samples, as a fraction of the range.
 pub(super) const NEAR: f64 = 0.05;
 
-/// From where to where, without what only rates near a gap grow to.
+/// Returns the displayed range, without the values to which rates grow near a gap.
 pub(super) fn shown(values: &[Option<f64>], breaks: &[bool]) -> Option<(f64, f64)> {
     let (low, high) = ends(values)?;
     let is_whole = values.iter().all(Option::is_some) && !breaks.contains(&true);
@@ -22,14 +22,14 @@ pub(super) fn shown(values: &[Option<f64>], breaks: &[bool]) -> Option<(f64, f64
     Some((low.max(usual_low - beyond), high.min(usual_high + beyond)))
 }
 
-/// The smallest and the largest value.
+/// Returns the smallest and the largest value.
 pub(super) fn ends(values: &[Option<f64>]) -> Option<(f64, f64)> {
     let mut values = values.iter().copied().flatten();
     let first = values.next()?;
     Some(values.fold((first, first), |(low, high), v| (low.min(v), high.max(v))))
 }
 
-/// Between which values most samples are.
+/// Returns the range of the usual values.
 pub(super) fn usual(values: &[Option<f64>]) -> Option<(f64, f64)> {
     let mut sorted: Vec<f64> = values.iter().copied().flatten().collect();
     sorted.sort_by(f64::total_cmp);

@@ -27,7 +27,7 @@ fn turns(curve: &Curve) -> Vec<(f64, f64)> {
     all
 }
 
-/// What is promised of places and velocities: the value and where it is, to rounding.
+/// Checks values and their coordinates to rounding errors.
 fn close(found: &[(f64, f64)], wanted: &[(f64, f64)]) {
     assert_eq!(found.len(), wanted.len(), "{found:?}");
     for (f, w) in found.iter().zip(wanted) {

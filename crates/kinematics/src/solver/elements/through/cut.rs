@@ -1,11 +1,11 @@
-//! A circle and a line in series: RRP.
+//! Intersects a circle and a line in series: RRP.
 
 use super::{Height, InSeries, Snap, size};
 use crate::arithmetic::Series;
 use crate::{Constant, Double, Number, Vec2};
 
-/// A circle and a line, as they meet in series: the distance h0 of the line from the circle's centre, and
-/// how far along the line that is from its own point.
+/// A circle and a line in series: the distance h0 of the line from the circle's centre, and the
+/// coordinate of the centre along the line from the line's own point.
 pub(in crate::solver::elements) struct Cut {
     /// The direction of the line.
     t: Vec2<Series>,
@@ -32,7 +32,7 @@ impl Cut {
         }
     }
 
-    /// From the circle's centre to the point, for this height.
+    /// Returns the vector from the circle's centre to the point, for this height.
     pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
         self.t * height - self.t.perp() * self.h0
     }
@@ -43,7 +43,7 @@ impl Cut {
 }
 
 impl InSeries for Cut {
-    /// h^2 = (b - h0)(b + h0).
+    /// Returns h^2 = (b - h0)(b + h0).
     fn square(&self) -> Series {
         (self.b - self.h0) * (self.b + self.h0)
     }
@@ -59,7 +59,7 @@ impl InSeries for Cut {
     }
 }
 
-/// A direction, turned by a snap.
+/// Returns a direction turned by a snap.
 pub(in crate::solver::elements) fn turned(along: Vec2<Constant>, snap: Snap) -> Vec2<Constant> {
     let by = Vec2::new(Double::ONE, snap.by.y);
     let turned = along.map(Constant::value).turned(by) / by.norm2().sqrt();

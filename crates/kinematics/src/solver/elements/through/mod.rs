@@ -1,14 +1,14 @@
-//! Dyads in series, at places where they may be singular.
+//! Expands dyads in series about positions where they may be singular.
 //!
-//! The square of a dyad's height (of the triangle, of half the chord, of the way along the guide) is a
-//! product of series. Where it begins with t^2p, its root is t^p times a series: the height goes on
-//! smoothly, and with odd p on the other side. Where the pivots of equal arms meet, or a pin meets the
-//! pivot that its guide runs through, the distance begins with a power of t as well, and the common
-//! factor is divided out.
+//! The square of a dyad's height (of the triangle, of half the chord, of the position along the
+//! guide) is a product of series. If it begins with t^2p, its root is t^p times a series: the
+//! height continues smoothly, for odd p with the opposite sign. Where the pivots of equal arms
+//! meet, or a pin meets the pivot on its guide, the distance begins with a power of t as well, and
+//! the common factor is divided out.
 //!
-//! Lengths and coordinates that come from one drawing are rounded one by one: then the square begins
-//! with coefficients that are roundings instead of zeros. A [`Snap`] moves a pivot, or a guide, by so
-//! much that they are zeros to twice the precision.
+//! Lengths and coordinates from one drawing are rounded independently. The square then begins with
+//! rounding errors instead of zeros. A [`Snap`] moves a pivot or a guide just enough to make these
+//! coefficients zero in double-double.
 
 mod cut;
 mod triangle;
@@ -20,23 +20,23 @@ use crate::arithmetic::Series;
 use crate::solver::state::State;
 use crate::{Double, Number, PointId, Vec2};
 
-/// What a coefficient can be off by in twice the precision, as a part of its size, with room for a long
-/// chain: less is a zero.
+/// Relative tolerance for a coefficient in double-double, with a margin for a long chain; a smaller
+/// one counts as zero.
 pub(in crate::solver) const ZERO: f64 = 1e-22;
-/// So many terms tell how a square begins.
+/// Number of terms sufficient to determine how a square begins.
 pub(super) const FEW: usize = 16;
 
-/// By how much a dyad is shifted to be singular exactly: between pivots, or of a guide across itself and
-/// about its own point, in the solver's unit and in radians.
+/// The shift that makes a dyad exactly singular: between its pivots, or of a guide across itself
+/// and about its own point, in the solver's unit and in radians.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::solver) struct Snap {
     pub by: Vec2<Double>,
-    /// Whether arms that differ by a rounding count as equal: their pivots meet.
+    /// Whether arms that differ by rounding count as equal: their pivots coincide.
     pub equal_arms: bool,
 }
 
 impl Snap {
-    /// What brings two pivots together.
+    /// Creates the shift that makes two pivots coincide.
     pub(in crate::solver) fn of_meeting(by: Vec2<Double>) -> Snap {
         Snap {
             by,
@@ -45,25 +45,26 @@ impl Snap {
     }
 }
 
-/// A dyad as it stands in series.
+/// A dyad's representation in series.
 pub(super) trait InSeries {
-    /// The square of its height.
+    /// Returns the square of its height.
     fn square(&self) -> Series;
 
-    /// The same with its sizes and slopes.
+    /// Returns the square of its height with sizes and slopes.
     fn height(&self) -> Height;
 }
 
 /// The square of a dyad's height.
 pub(in crate::solver) struct Height {
     pub square: Series,
-    /// Its size, coefficient by coefficient: what roundings are measured against.
+    /// The size of each coefficient, against which rounding errors are measured.
     pub size: Series,
-    /// How it changes with the two parts of a snap.
+    /// The derivatives by the two components of a snap.
     pub slopes: [Series; 2],
 }
 
-/// A height with this sign for positive t, whose square begins with t to the power of `order`.
+/// Returns the height with the sign `side` for positive t, whose square begins with t to the power
+/// of `order`.
 pub(in crate::solver) fn root(square: Series, order: usize, side: f64) -> Series {
     let root = square.lowered(order).sqrt().raised(order / 2);
     if side < 0.0 { -root } else { root }
@@ -73,21 +74,22 @@ pub(super) fn between(from: PointId, to: PointId, state: &State<Series>) -> Vec2
     state.points[to.index()].p - state.points[from.index()].p
 }
 
-/// The square of a length, and its size.
+/// Returns the square of a length, and its size.
 pub(super) fn squared(u: Vec2<Series>) -> [Series; 2] {
     let size = size(u);
     [u.norm2(), size * size]
 }
 
-/// The sizes of a vector's coefficients, whatever the directions of the axes. None is smaller than the
-/// motion as a whole lets expect: of one that is zero but for its rounding that says nothing.
+/// Returns the sizes of a vector's coefficients, independent of the axes' directions. Each is at
+/// least as large as the motion as a whole suggests, because a coefficient that is zero but for
+/// rounding does not show its own size.
 pub(super) fn size(u: Vec2<Series>) -> Series {
     let norm = |n: usize| u.x.c[n].hi.hypot(u.y.c[n].hi);
     let known = u.x.known.min(u.y.known);
     let middle = known / 2;
     let largest = |from: usize| (from..known.min(from + 2)).map(norm).fold(0.0, f64::max);
     let falls = largest(middle) / largest(known.saturating_sub(2));
-    // Within this radius the coefficients grow no further, but none is wider than the unit.
+    // Within this radius the coefficients stop growing; it is at most 1.
     let power = 1.0 / known.saturating_sub(2 + middle).max(1) as f64;
     let radius = if 0.0 < falls && falls < 1.0 {
         falls.powf(power)
@@ -111,12 +113,13 @@ pub(super) fn size(u: Vec2<Series>) -> Series {
     size
 }
 
-/// A vector between pivots, moved by a snap.
+/// Returns a vector between pivots, shifted by a snap.
 pub(super) fn shifted(u: Vec2<Series>, snap: Snap, terms: usize) -> Vec2<Series> {
     u.map(|v| v.cut(terms)) + snap.by.map(Series::constant)
 }
 
-/// A quotient by the square of a length, which may begin with a power of t, and the dividend then with it.
+/// Divides by the square of a length. If the square begins with a power of t, the dividend must,
+/// too, and the factor is cancelled.
 pub(super) fn quotient(dividend: Vec2<Series>, u: Vec2<Series>, d2: Series) -> Vec2<Series> {
     let meets = u.x.nearest() == 0.0 && u.y.nearest() == 0.0;
     let order = if meets {

@@ -1,23 +1,24 @@
-//! Two circles in series: RRR, with arms of fixed length or one that a cylinder pushes.
+//! Intersects two circles in series: RRR, with arms of fixed length or one pushed by a cylinder.
 
 use super::{Height, InSeries, quotient, squared};
 use crate::arithmetic::Series;
 use crate::{Number, Vec2};
 
-/// Two circles, as they meet in series.
+/// Two circles in series.
 pub(in crate::solver::elements) struct SeriesTriangle {
-    /// From pivot to pivot.
+    /// The vector from pivot to pivot.
     pub(in crate::solver::elements) u: Vec2<Series>,
-    /// The square of that.
+    /// The square of the distance of the pivots.
     pub(in crate::solver::elements) d2: Series,
-    /// The squares of the difference and of the sum of the arms, and the difference of their squares.
+    /// The squares of the difference and of the sum of the arms, and the difference of their
+    /// squares.
     pub(in crate::solver::elements) least: Series,
     pub(in crate::solver::elements) most: Series,
     pub(in crate::solver::elements) squares: Series,
 }
 
 impl SeriesTriangle {
-    /// From the nearer pivot to the point, for e x f = `height`.
+    /// Returns the vector from the near pivot to the point, for e x f = `height`.
     pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
         let x = (self.d2 + self.squares).scaled(0.5);
         quotient(self.u * x + self.u.perp() * height, self.u, self.d2)
@@ -25,7 +26,7 @@ impl SeriesTriangle {
 }
 
 impl InSeries for SeriesTriangle {
-    /// h^2 = (d^2 - least)(most - d^2) / 4.
+    /// Returns h^2 = (d^2 - least)(most - d^2) / 4.
     fn square(&self) -> Series {
         ((self.d2 - self.least) * (self.most - self.d2)).scaled(0.25)
     }

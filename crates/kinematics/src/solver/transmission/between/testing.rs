@@ -1,12 +1,13 @@
-//! Compares two ways to find extreme transmission angles.
+//! Compares two methods of finding extreme transmission angles.
 
 use super::*;
 
-/// Compares the extreme transmission angles from shared Chebyshev sums with those from states of
-/// their own, and returns how many were compared.
+/// Compares the extreme transmission angles from shared Chebyshev sums with those from separate
+/// states, and returns the number of comparisons.
 ///
 /// # Panics
-/// If an angle differs by more than rounding, or a place by more than it is defined.
+/// If an angle differs by more than rounding errors, or a position by more than its conditioning
+/// allows.
 pub fn compare_extremes(solver: &Solver) -> u32 {
     let (mut compared, basis) = (0, Basis::new());
     let mut work = solver.state();
