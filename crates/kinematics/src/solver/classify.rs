@@ -26,7 +26,7 @@ pub enum Inversion {
     /// The driven link is the shortest: it turns fully, the other rocks.
     CrankRocker,
     /// The frame is the shortest: both links turn fully (drag link). So they do if both are the
-    /// the shortest, in a parallelogram.
+    /// shortest, in a parallelogram.
     DoubleCrank,
     /// The driven link rocks; the other is the shortest and turns fully.
     RockerCrank,
