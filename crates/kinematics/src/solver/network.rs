@@ -456,9 +456,10 @@ impl<'m> Network<'m> {
         unknowns
     }
 
-    /// Returns how readily an equation is set aside if there are too many. The length of a bar
-    /// inside another body comes first, since it must repeat that body's lengths; then the length
-    /// of any other bar; then a slot, since the rest of the element can still be placed without it.
+    /// Returns how readily an equation is set aside if there are too many. First comes the length
+    /// of a bar inside another body, since it must repeat that body's lengths. The length of any
+    /// other bar is second, and a slot is third, since the rest of the element can still be placed
+    /// without it.
     pub(super) fn readiness(&self, row: ScalarEquation) -> u8 {
         match row {
             ScalarEquation::Along { link, .. } if self.is_strut(link) => 4,

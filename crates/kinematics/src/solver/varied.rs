@@ -208,9 +208,9 @@ impl Varied {
     }
 
     /// Creates a solver for the current lengths, where `mechanism` has these lengths. This is
-    /// possible only in the simple case: the driver turns fully, there are no stops, no change
-    /// points or near misses, no coupled groups, and at no degree does a group come near its
-    /// limits. `None` in all other cases: create a solver from scratch instead.
+    /// possible only in the simple case: the driver turns fully, and there are no stops, change
+    /// points, near misses or coupled groups. In addition, no group may come near its limits at any
+    /// degree. `None` in all other cases: create a solver from scratch instead.
     ///
     /// The result solves and is read like any other solver, but has no bounds and no assemblies.
     pub fn plain(&mut self, mechanism: &Mechanism) -> Option<Solver> {

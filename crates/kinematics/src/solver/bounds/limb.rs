@@ -1,9 +1,9 @@
 //! Compares the vector between two points of a link, as computed, with the link's shape, and
 //! corrects it.
 //!
-//! With d the link's computed direction, omega and alpha its computed rates, l the position of one
-//! point relative to the other in the link's frame, and e the computed vector with its rates w and
-//! a,
+//! Let d be the link's computed direction, omega and alpha its computed rates, and l the position
+//! of one point relative to the other in the link's frame. With e the computed vector, and w and a
+//! its rates,
 //!
 //! ```text
 //! e = R(d) l + miss      w = omega k x e + rho      a = alpha k x e + omega k x w + sigma

@@ -22,11 +22,10 @@
 //! first order they are M D. The part left out, with the error that each arm leaves open, is
 //! another gap, and rotates each arm by at most g_i times it.
 //!
-//! M is computed in doubles. That moves theta_i by at most 6 u + 2 u |e1| |e2| / |det| of g_i r,
-//! and
-//! e1| |e2| / |det| = g_i |e_i| >= 1 in every case: it is as if the columns were off by 4 u |e_i|. The slack
-//! includes this, the low part of the difference of the vector's points, and the rounding of the
-//! sums of the vector's shift.
+//! M is computed in doubles. That moves theta_i by at most 6 u + 2 u |e1| |e2| / |det| of g_i r.
+//! Since the ratio |e1| |e2| / |det| is g_i |e_i| >= 1 in every case, it is as if the columns were
+//! off by 4 u |e_i|. The slack includes this, the low part of the difference of the vector's
+//! points, and the rounding of the sums of the vector's shift.
 //!
 //! The rest of a joint comes from the error that each arm leaves open, as a vector of at most that
 //! length, and from the rest of the arm's pivot. It moves the joint along the other arm by at most

@@ -9,8 +9,8 @@ use crate::{Constant, Input, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
     /// Watches all constraints if some were set aside, those first. The steps themselves determine
-    /// which constraints they leave out: all joints of a link may ride on it although one of its
-    /// equations was set aside, and another constraint is left out instead.
+    /// which constraints they leave out. For example, all joints of a link may ride on it although
+    /// one of its equations was set aside. Another constraint is left out instead.
     pub(super) fn watch(&mut self, set_aside: &[ScalarEquation]) {
         if set_aside.is_empty() {
             return;

@@ -2,9 +2,9 @@
 //!
 //! The linkage is in equilibrium for any force of its redundant constraints. Let r be the reactions
 //! found by the steps, in which these constraints have no force, and d_k the reactions to the unit
-//! force of each. Then all r + sum c_k d_k are in equilibrium. The one with the least sum of
-//! squares, over all forces at pins and guides and over moments divided by the longest length, is
-//! the one for pins and guides of equal compliance.
+//! force of each. Then all r + sum c_k d_k are in equilibrium. The reactions of least norm minimise
+//! the sum of squares over all forces at pins and guides, and over moments divided by the longest
+//! length. They are the reactions for pins and guides of equal compliance.
 
 use super::open::{FELT, Felt, probes};
 use super::{Balance, ForceState, Indeterminate};

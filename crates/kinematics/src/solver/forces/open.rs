@@ -1,9 +1,10 @@
 //! Finds the reactions that the equilibrium leaves undetermined: those of redundant constraints.
 //!
 //! The steps are built on as many constraints as there are unknowns. An additional constraint may
-//! press with any force, and everything that reacts to it is indeterminate. Therefore each such
-//! constraint is given a unit force, which the steps propagate. The reactions to it are
-//! undetermined, including the constraint's own if the steps are built on it.
+//! press with any force, and everything that reacts to it is indeterminate. Therefore each
+//! constraint applies a unit force, which the steps propagate backwards. Every reaction that
+//! remains is undetermined. The action of the constraint itself is included: if the steps are built
+//! on it, both cancel.
 
 use super::{Balance, Extent, ForceState, Slots};
 use crate::solver::network::Network;
@@ -110,8 +111,8 @@ impl Open {
     }
 }
 
-/// Applies a unit force to every redundant constraint at a state, and calls `tell` with the
-/// reactions: those found by the steps, and the action of the constraint itself.
+/// Applies the unit force of every watched constraint and of every repeated lock at a state. Calls
+/// `tell` with the reactions of the steps, and with the direct action of the constraint.
 pub(super) fn probes(
     balance: &Balance,
     network: &Network<'_>,
