@@ -9,29 +9,30 @@ use super::{Demand, Order, Solver, Workspace, chain};
 use crate::{Dual, Length, Link, Number, SlideId, Vec2};
 use std::sync::Arc;
 
-/// By how much a constraint that others repeat may follow a length, as a part of it and of how far out the
-/// constraint is: rounding.
+/// Maximum derivative of a redundant constraint's miss by a length, in units of the constraint's
+/// distance from the origin: rounding error.
 const JAMMED: f64 = 1e-9;
-/// Where a place follows a length more than so many times, or a link turns as far at its own reach, the group that
-/// makes it do so is as good as singular. At a sine of s places follow by 1/s, and what doubles lose of derivatives
-/// is u/s^2: 8e-6.
+/// Maximum derivative of a place by a length, and of a link's direction times its reach. Beyond it
+/// a group is nearly singular. At a sine of s the derivatives are 1/s, and doubles lose u/s^2 of
+/// them: 8e-6.
 const STEEPEST: f64 = 262_144.0;
 
-/// A mechanism that knows what one of its lengths does: made by [`Solver::by_length`].
+/// A mechanism with its derivatives by one of its lengths, created by [`Solver::by_length`].
 #[derive(Clone, Debug)]
 pub struct ByLength {
     engine: Engine,
     slides: usize,
-    /// How far each link reaches, in the solver's unit: what its turning moves.
+    /// The reach of each link in the solver's unit: the lever arm of its rotation.
     reach: Vec<f64>,
-    /// Whether the redundant constraints of the scene are held to rounding, so that a length can jam them.
+    /// Whether the scene allows redundant constraints only rounding errors, so that a length can
+    /// jam them.
     is_strict: bool,
     balance: Option<Arc<Balance>>,
 }
 
 impl Solver {
-    /// Makes the derivatives by a length ready, of what `demand` reads; `None` where the mechanism cannot be
-    /// put into groups.
+    /// Prepares the derivatives by a length, for the values read by `demand`; `None` if the
+    /// mechanism cannot be divided into groups.
     #[must_use]
     pub fn by_length(&self, length: Length, demand: &Demand) -> Option<ByLength> {
         let network = Network::new(&self.mechanism, self.engine.frame).by_length(length);
@@ -46,7 +47,7 @@ impl Solver {
         let follow = |slide, at| self.follow(slide, at, &found);
         let balance = self.balance.as_ref();
         let balance = balance.and_then(|b| b.by_length(&network, &found.engine, follow));
-        // What is watched is read, too.
+        // Watched constraints are read too.
         if found.engine.program.watches.is_empty() {
             found.engine = found.engine.only(demand, self.slides);
         }
@@ -54,7 +55,8 @@ impl Solver {
         Some(found)
     }
 
-    /// How the position of a slide follows a length at a coordinate; NaN where that cannot be told.
+    /// Returns the derivative of a slide's position by a length at a coordinate; NaN if it does not
+    /// exist.
     fn follow(&self, slide: SlideId, at: f64, by_length: &ByLength) -> f64 {
         let (mut state, mut dual) = (self.state(), by_length.state());
         let _ = self.solve(at, Order::Position, &mut state);
@@ -65,8 +67,8 @@ impl Solver {
         }
     }
 
-    /// How far links reach from their first point; those that have but one carry a guide, and count as long as
-    /// the longest.
+    /// Returns how far links reach from their first point. Links with only one point carry a guide,
+    /// and count as long as the longest length.
     fn reaches(&self) -> Vec<f64> {
         let reach = |link: &Link| {
             let from = link.members.first().map_or(Vec2::ZERO, |m| m.local);
@@ -81,8 +83,8 @@ impl Solver {
         self.mechanism.links().iter().map(reach).collect()
     }
 
-    /// A power of two, not above the mechanism's longest length and more than half of it, in the
-    /// scene's unit.
+    /// Returns a power of two, at most the mechanism's longest length and more than half of it, in
+    /// the scene's unit.
     #[must_use]
     pub fn scale(&self) -> f64 {
         self.engine.frame.scale
@@ -90,8 +92,8 @@ impl Solver {
 }
 
 impl ByLength {
-    /// Room for a state with its derivatives: every number of it carries its slope, in its own unit per unit of
-    /// the scene's length.
+    /// Creates a workspace for a state with its derivatives. Every number has its slope, in its own
+    /// unit per unit of the scene's length.
     #[must_use]
     pub fn state(&self) -> Workspace<Dual> {
         let mut work = self.engine.state(self.slides);
@@ -100,9 +102,9 @@ impl ByLength {
         work
     }
 
-    /// Solves once more what is in `state`, with the derivatives; whether they exist. They do not where the
-    /// motion ends or branches, or as good as does, and where the length would jam a redundant linkage: then
-    /// nothing is to be read from `work`. Allocates nothing.
+    /// Solves `state` again with the derivatives. Returns `true` if they exist. They do not exist
+    /// where the motion ends or branches, or nearly so, and where the length would jam a redundant
+    /// linkage. If they do not exist, nothing in `work` may be read. Allocates nothing.
     pub fn solve(&self, state: &State, order: Order, work: &mut Workspace<Dual>) -> bool {
         work.state.begin(Dual::exactly(state.at), order);
         let exists = state.condition == Condition::Ok && self.solved(state, order, work);
@@ -137,7 +139,7 @@ impl ByLength {
         })
     }
 
-    /// Whether anything follows the length so much that the derivatives are not to be trusted.
+    /// Returns `true` if a derivative is so large that none can be trusted.
     fn is_steep(&self, dual: &State<Dual>) -> bool {
         let steepest = STEEPEST / self.engine.frame.scale;
         // Written so that NaN is steep.
@@ -151,7 +153,7 @@ impl ByLength {
             && links.all(|(link, &reach)| is_gentle(link.d, reach)))
     }
 
-    /// Whether a constraint that others repeat would no longer hold.
+    /// Returns `true` if a redundant constraint would no longer hold.
     fn is_jammed(&self, dual: &State<Dual>) -> bool {
         let scale = self.engine.frame.scale;
         let mut misses = self.engine.misses(dual);

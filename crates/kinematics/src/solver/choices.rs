@@ -1,4 +1,4 @@
-//! The assemblies beside the one that is followed: of a group, and of the whole mechanism.
+//! Lists the alternative assemblies of a group and of the whole mechanism.
 
 use super::assemble::{Assembler, Placement, Request, handedness};
 use super::coupled::{SAME, distance};
@@ -11,43 +11,46 @@ use super::state::{Condition, State};
 use super::{Order, Solver, Workspace};
 use crate::{ElementId, Mechanism, PointId, Vec2};
 
-/// Whole assemblies are listed as long as there are no more.
+/// The maximum number of whole assemblies listed.
 pub const MOST_ASSEMBLIES: usize = 64;
 
-/// Ways tried in the search for whole assemblies, at the most: where later groups close with few of the
-/// ways of earlier ones, their number grows with every group though hardly any closes.
+/// The maximum number of placements tried in the search for whole assemblies. If later groups close
+/// with few placements of earlier ones, the number of combinations grows with every group though
+/// hardly any closes.
 const MOST_TRIED: usize = 10_000;
-/// Beyond a change point by this much, in radians or scaled lengths, and before the next one.
+/// A distance past a change point, in radians or scaled lengths, small enough to stay before the
+/// next one.
 const BEYOND: f64 = 1e-6;
 
-/// One of the assemblies of a group.
+/// An assembly of a group.
 #[derive(Clone, Debug)]
 pub struct Choice {
-    /// What picks it.
+    /// The pick that selects it.
     pub pick: Pick,
-    /// Whether it is the one that the solver follows.
+    /// Whether the solver follows this assembly.
     pub is_current: bool,
-    /// Whether the groups behind close with it, each in its own present assembly or near it.
+    /// Whether the later groups close with it, each in its current assembly or near it.
     pub closes: bool,
-    /// Positions with this choice: of everything where it closes, else up to the group itself.
+    /// Positions with this choice: of everything if it closes, or else up to the group itself.
     pub state: State,
 }
 
 /// The whole assemblies of a mechanism at a coordinate.
 #[derive(Clone, Debug, Default)]
 pub struct Assemblies {
-    /// For each the picks of its groups, in the plan's order.
+    /// For each assembly the picks of its groups, in plan order.
     pub list: Vec<Vec<(GroupId, Pick)>>,
-    /// Which of them the solver follows.
+    /// The index of the assembly that the solver follows.
     pub current: Option<usize>,
-    /// Whether the list was not cut at [`MOST_ASSEMBLIES`]. A coupled group may have assemblies that the search has
-    /// missed.
+    /// Whether the list was not cut at [`MOST_ASSEMBLIES`]. The search may still miss assemblies of
+    /// a coupled group.
     pub is_complete: bool,
 }
 
 impl Solver {
-    /// The choices of a group of the plan at a coordinate of the driver, those of a dyad `+` and `-`. Empty
-    /// where the group has none, where the motion does not come, and in a solver with something left out.
+    /// Returns the choices of a group at a coordinate of the driver; those of a dyad are `+` and
+    /// `-`. Empty if the group has no choices, if the motion does not reach the coordinate, and in
+    /// a solver made by [`Solver::only`] that leaves out steps.
     #[must_use]
     pub fn choices(&self, at: f64, group: GroupId) -> Vec<Choice> {
         let Some(present) = self
@@ -94,7 +97,7 @@ impl Solver {
             .collect()
     }
 
-    /// The whole assemblies at a coordinate of the driver, as far as they are few.
+    /// Returns the whole assemblies at a coordinate of the driver, up to [`MOST_ASSEMBLIES`].
     #[must_use]
     pub fn assemblies(&self, at: f64) -> Assemblies {
         let mut found = Assemblies::default();
@@ -112,7 +115,7 @@ impl Solver {
         };
         let (mut engine, mut state) = (self.engine.clone(), present.state.clone());
         state.state.begin(at, Order::Position);
-        // The ways of each group so far, and which of them is taken: an odometer.
+        // The placements of each group so far, and the index of the current one: an odometer.
         let mut taken: Vec<(Vec<Placement>, usize)> = Vec::new();
         let mut tried = 0;
         loop {
@@ -129,7 +132,7 @@ impl Solver {
                 }
                 step(&mut taken);
             }
-            // Take what is next; where nothing is left of a group, go on with the one before it.
+            // Try the next placement; if a group has none left, continue with the group before it.
             loop {
                 let Some((ways, next)) = taken.last() else {
                     found.is_complete = true;
@@ -155,11 +158,12 @@ impl Solver {
         }
     }
 
-    /// The same mechanism with another assembly of one group, picked at a coordinate of the driver; the
-    /// other groups stay as they are there, or near it. Its motion is its own.
+    /// Returns a solver with another assembly of one group, picked at a coordinate of the driver.
+    /// All other groups keep their assemblies there, or stay near them. The motion is followed
+    /// again.
     ///
     /// # Errors
-    /// See [`Fault`]: mostly that later groups do not close with it.
+    /// See [`Fault`]. The usual reason is that later groups do not close with it.
     pub fn switched(&self, at: f64, group: GroupId, pick: Pick) -> Result<Solver, Fault> {
         let nothing = || Fault::NoChoice {
             group: self
@@ -185,11 +189,12 @@ impl Solver {
         Solver::open(&self.mechanism, at, &present.near, &picks)
     }
 
-    /// The same mechanism with other dimensions, opened where it says in the assembly that this one is in at
-    /// `at`: dyads keep their side, coupled groups the solution nearest to where they are.
+    /// Returns a solver for changed dimensions, in the assembly of this solver at `at`. It opens at
+    /// the start of `changed`: dyads keep their side, coupled groups take the solution nearest to
+    /// their current one.
     ///
     /// # Errors
-    /// See [`Fault`]: mostly that it does not close so.
+    /// See [`Fault`]. The usual reason is that the mechanism does not close in this assembly.
     pub fn carried_over(&self, at: f64, changed: &Mechanism) -> Result<Solver, Fault> {
         let Some(present) = self.present(at) else {
             return Solver::new(changed);
@@ -201,11 +206,12 @@ impl Solver {
         Solver::open(changed, changed.driver().start, &present.near, &picks)
     }
 
-    /// The same mechanism with other dimensions in the assembly that this one is in at `at`: as it opens by itself
-    /// where that is this assembly, else carried over, and then true beside it.
+    /// Returns a solver for changed dimensions in the assembly of this solver at `at`. If `changed`
+    /// opens in this assembly by itself, the flag is `false`. If not, the assembly is carried over
+    /// and the flag is `true`.
     ///
     /// # Errors
-    /// As those of [`Solver::carried_over`].
+    /// See [`Solver::carried_over`].
     pub fn kept(&self, at: f64, changed: &Mechanism) -> Result<(Solver, bool), Fault> {
         match Solver::new(changed) {
             Ok(plain) if self.has_sides_of(at, &plain) => Ok((plain, false)),
@@ -213,8 +219,9 @@ impl Solver {
         }
     }
 
-    /// Whether every dyad is at `at` on the side on which it is in another solver, of the same mechanism with
-    /// other dimensions, where that opens. False too where a group is coupled and no side tells it.
+    /// Returns `true` if every dyad is at `at` on the side that it has in `other` where that solver
+    /// opens; `other` has the same mechanism with other dimensions. Returns `false` if a group is
+    /// coupled, since it has no side to compare.
     #[must_use]
     pub fn has_sides_of(&self, at: f64, other: &Solver) -> bool {
         let own = self.present(at).map(|p| p.picks);
@@ -226,7 +233,7 @@ impl Solver {
         own == others && groups.all(|(group, pick)| pick.is_some() || !group.has_choices())
     }
 
-    /// What picks one of the ways of a group, the i-th of them.
+    /// Returns the pick of the `i`-th placement of a group.
     fn pick_of(&self, group: usize, way: &Placement, i: usize) -> Pick {
         match way {
             Placement::Side(sign) => self.side_pick(group, *sign).unwrap_or(Pick::Plus),
@@ -234,9 +241,9 @@ impl Solver {
         }
     }
 
-    /// What picks a dyad with this sign.
+    /// Returns the pick of a dyad with this sign.
     fn side_pick(&self, group: usize, sign: f64) -> Option<Pick> {
-        // One more sign is kept than there are groups.
+        // `signs` has one entry more than there are groups.
         self.plan.groups.get(group)?;
         let steps = &self.engine.program.steps[super::assemble::steps_of(&self.engine, group)];
         let key = steps.iter().find(|s| s.choice().is_some())?;
@@ -247,7 +254,7 @@ impl Solver {
         })
     }
 
-    /// Keeps a whole assembly.
+    /// Adds a whole assembly to the list.
     fn note(&self, taken: &[(Vec<Placement>, usize)], present: &Present, found: &mut Assemblies) {
         let chosen = || {
             taken
@@ -264,7 +271,7 @@ impl Solver {
         found.list.push(picks.collect());
     }
 
-    /// The assembly at a coordinate; `None` where there is nothing to choose from.
+    /// Returns the assembly at a coordinate; `None` if steps are left out or there is no assembly.
     fn present(&self, at: f64) -> Option<Present> {
         let whole =
             self.engine.program.group_starts.last() == Some(&self.engine.program.steps.len());
@@ -276,7 +283,7 @@ impl Solver {
             return None;
         }
         let mut signs = self.engine.signs.clone();
-        // At a change point itself, what counts is the way on.
+        // At a change point itself, the assembly just past it counts.
         let beyond = self.engine.moved(at, BEYOND);
         let place = if state.condition == Condition::ChangePoint {
             beyond
@@ -297,7 +304,7 @@ impl Solver {
     }
 }
 
-/// The next way of the last group.
+/// Selects the next placement of the last group.
 fn step(taken: &mut [(Vec<Placement>, usize)]) {
     if let Some((_, next)) = taken.last_mut() {
         *next += 1;
@@ -307,16 +314,16 @@ fn step(taken: &mut [(Vec<Placement>, usize)]) {
 /// The assembly that a solver follows, at one coordinate.
 struct Present {
     state: Workspace,
-    /// The sign of every group there.
+    /// The sign of every group.
     signs: Vec<f64>,
-    /// What picks it, of the dyads.
+    /// The picks that select this assembly, for dyads.
     picks: Vec<Option<Pick>>,
-    /// Where every point is, in the scene's frame.
+    /// The position of every point, in the scene's frame.
     near: Vec<(PointId, Vec2)>,
 }
 
 impl Present {
-    /// Asks for the same again.
+    /// Creates a request for this assembly.
     fn request(&self, at: f64) -> Request<'_> {
         Request {
             at,
@@ -325,7 +332,8 @@ impl Present {
         }
     }
 
-    /// Whether a group is in the i-th of its ways: of solutions in the nearest one, if it is near.
+    /// Returns `true` if a group is in its `i`-th placement. For a solution of a coupled group: if
+    /// it is the nearest one, and near.
     fn is_in(&self, solver: &Solver, group: usize, ways: &[Placement], i: usize) -> bool {
         match &ways[i] {
             Placement::Only => true,
@@ -339,7 +347,7 @@ impl Present {
         }
     }
 
-    /// How far a group is from one of its solutions.
+    /// Returns the distance of a group from one of its solutions.
     fn distance(&self, engine: &Engine, group: usize, way: &Placement) -> f64 {
         let steps = &engine.program.steps[super::assemble::steps_of(engine, group)];
         let index = steps.iter().find_map(Step::coupled);

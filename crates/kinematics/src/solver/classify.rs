@@ -1,12 +1,12 @@
-//! What textbooks call the loop that the driver closes: the Grashof class of a four-bar, the
-//! condition for the crank of a slider-crank to turn.
+//! Classifies the loop that the driver closes: the Grashof class of a four-bar, and the condition
+//! for a full turn of a slider-crank's crank.
 
 use super::elements::{Arm, Spin, Step};
 use super::engine::Engine;
 use crate::{Mechanism, PointId};
 
-/// Lengths that differ by less than this part of the longest count as equal: 4 u, as everywhere
-/// where given lengths decide between a motion and its change point.
+/// Relative tolerance of equal lengths: 4 u of the longest length. It is the usual tolerance
+/// wherever given lengths distinguish a motion from its change point.
 const EQUAL: f64 = 4.0 * 0.5 * f64::EPSILON;
 
 /// Grashof's condition on a four-bar's shortest and longest link against the other two.
@@ -20,15 +20,15 @@ pub enum Grashof {
     Rocking,
 }
 
-/// A four-bar by the link that is shortest, as it is driven.
+/// The type of a four-bar, by its shortest link and the driven link.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Inversion {
-    /// The driven link is the shortest: it turns, the other rocks.
+    /// The driven link is the shortest: it turns fully, the other rocks.
     CrankRocker,
-    /// The frame is the shortest: both turn (drag link). So they do where both are the shortest, in a
-    /// parallelogram.
+    /// The frame is the shortest: both links turn fully (drag link). So they do if both are the
+    /// shortest, in a parallelogram.
     DoubleCrank,
-    /// The driven link rocks, the other, the shortest, turns.
+    /// The driven link rocks; the other is the shortest and turns fully.
     RockerCrank,
     /// The coupler is the shortest: both links on the frame rock.
     DoubleRocker,
@@ -43,15 +43,15 @@ pub enum DrivenLoop {
     FourBar {
         /// The driven link.
         driven: f64,
-        /// The link between the two on the frame.
+        /// The link between the two links on the frame.
         coupler: f64,
         /// The other link on the frame.
         follower: f64,
-        /// The distance of the ground pivots.
+        /// The distance between the ground pivots.
         frame: f64,
         /// Grashof's condition.
         grashof: Grashof,
-        /// The kind.
+        /// The inversion.
         inversion: Inversion,
     },
     /// A crank, a rod and a slider on the ground.
@@ -62,17 +62,17 @@ pub enum DrivenLoop {
         rod: f64,
         /// The distance of the rod's far pin's path from the crank's pivot.
         offset: f64,
-        /// rod - (crank + offset): positive where the crank turns fully, zero at a change point.
+        /// rod - (crank + offset): positive if the crank turns fully, zero at a change point.
         margin: f64,
     },
 }
 
-/// The class of a loop, whatever its lengths.
+/// The class of a loop, independent of its lengths.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LoopKind {
-    /// Of a four-bar.
+    /// A four-bar's class.
     FourBar(Inversion, Grashof),
-    /// Of a slider-crank.
+    /// A slider-crank's class.
     SliderCrank {
         /// Whether the crank turns fully.
         turns: bool,
@@ -80,7 +80,7 @@ pub enum LoopKind {
 }
 
 impl DrivenLoop {
-    /// Its class.
+    /// Returns the class of the loop.
     #[must_use]
     pub fn kind(self) -> LoopKind {
         match self {
@@ -94,7 +94,7 @@ impl DrivenLoop {
     }
 }
 
-/// The loop that the driven link closes with a dyad and the ground, if there is one.
+/// Returns the loop of the driven link, a dyad and the ground, if there is one.
 pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenLoop> {
     let steps = &engine.program.steps;
     let scale = engine.frame.scale;
@@ -103,7 +103,7 @@ pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenL
         let is_known = point.index() < mechanism.points().len();
         is_known && mechanism.point(point).ground.is_some()
     };
-    // Of several loops the one of the lowest rank.
+    // Among several loops the one of lowest rank is chosen.
     let mut found: Option<(usize, DrivenLoop)> = None;
     let spins = steps.iter().filter_map(|step| match *step {
         Step::Spin(spin) => Some(spin),
@@ -143,7 +143,7 @@ pub(super) fn classify(engine: &Engine, mechanism: &Mechanism) -> Option<DrivenL
     found.map(|(_, of)| of)
 }
 
-/// The two arms of a dyad, the one that hangs on `pin` first.
+/// Returns the two arms of a dyad, the one on `pin` first.
 fn arms(pin: PointId, [a, b]: [Arm; 2]) -> Option<(Arm, Arm)> {
     match (a.pivot == pin, b.pivot == pin) {
         (true, _) => Some((a, b)),

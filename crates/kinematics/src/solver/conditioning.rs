@@ -1,9 +1,9 @@
-//! How well the equations of a coupled group tell its unknowns, over the whole motion.
+//! Measures the condition of the coupled groups' equations over the whole motion.
 //!
-//! Of the group's matrix J, with lengths in parts of the longest link, angles in radians and rows of unit
-//! length, the least singular value by the largest says how near it is to being singular: 0 at a dead point or a
-//! change point, 1 at the best. It plays the part that the sine of the transmission angle plays for a dyad:
-//! what a length is off by comes out magnified by up to its reciprocal.
+//! The group's matrix J has lengths in units of the longest link, angles in radians, and rows of
+//! unit length. The ratio of its smallest singular value to its largest shows how near it is to
+//! being singular: 0 at a dead point or a change point, 1 at best. It corresponds to the sine of
+//! the transmission angle of a dyad: an error of a length is magnified by up to its reciprocal.
 
 use super::coupled::Coupled;
 use super::plan::GroupId;
@@ -11,25 +11,26 @@ use super::{Condition, Order, Solver, Workspace};
 use crate::numeric::{Unsettled, lowest};
 use nalgebra::DMatrix;
 
-/// Places over a turn or a range at which the groups are looked at.
+/// Number of places over a turn or a range at which the groups are evaluated.
 const LOOKS: u32 = 360;
-/// Sweeps of a decomposition, at the most.
+/// Maximum number of sweeps of a decomposition.
 const MOST_SWEEPS: usize = 1000;
 
-/// A coupled group where its equations tell least.
+/// The worst condition of a coupled group over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Conditioning {
     /// The group.
     pub group: GroupId,
-    /// The least singular value of its matrix by the largest, where that is smallest over the motion.
+    /// The minimum over the motion of the ratio of the smallest singular value to the largest.
     pub least: f64,
-    /// The driver's coordinate there.
+    /// The driver's coordinate of the minimum.
     pub at: f64,
 }
 
 impl Solver {
-    /// The worst condition of every coupled group over the motion, in the order of the plan. It is looked for
-    /// degree by degree, or at 360 places of a range, and from the smallest of these to the last digits.
+    /// Returns the worst condition of every coupled group over the motion, in plan order. The
+    /// search evaluates every degree, or 360 places of a range, and refines the smallest of these
+    /// to the last digits.
     #[must_use]
     pub fn conditioning(&self) -> Vec<Conditioning> {
         let groups = self.engine.program.coupled.iter();
@@ -41,7 +42,7 @@ impl Solver {
     fn worst(&self, group: &Coupled, work: &mut Workspace) -> Option<Conditioning> {
         let (low, high) = self.motion.range.ends();
         let step = (high - low) / f64::from(LOOKS);
-        // Neither end is looked at: at a limit a group may fold.
+        // The ends are left out: at a limit a group may fold.
         let places = (0..LOOKS).map(|k| low + step * (f64::from(k) + 0.5));
         let seen = places.filter_map(|at| Some((at, self.condition_of(group, at, work)?)));
         let first = seen.min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -55,7 +56,7 @@ impl Solver {
         })
     }
 
-    /// The condition of a group in one state; `None` where there is no ordinary one.
+    /// Returns the condition of a group in one state; `None` if the state is not an ordinary one.
     fn condition_of(&self, group: &Coupled, at: f64, work: &mut Workspace) -> Option<f64> {
         match self.solve(at, Order::Position, work) {
             Condition::Ok => {}

@@ -1,18 +1,19 @@
-//! The dead centres of a slide: where it turns back.
+//! Finds the dead centres of a slide: the positions at which it reverses.
 //!
-//! Its position s over the driver's coordinate q is smooth but at dead points, and s' comes with every
-//! state: a dead centre is a root of s', as good as the coordinate itself.
+//! Its position s as a function of the driver's coordinate q is smooth except at dead points, and
+//! s' is part of every state. A dead centre is a root of s', as accurate as the coordinate itself.
 
 use super::{Condition, Demand, Order, Range, Solver};
 use crate::SlideId;
 use crate::numeric::roots;
 
-/// Places over the motion between which s' changes its sign once at the most.
+/// Number of intervals over the motion. In each of them s' changes its sign at most once.
 const LOOKS: u32 = 720;
-/// A dead point has no rates; it is looked at from this far inside, as a part of the range.
+/// Distance inside the range at which a dead point, which has no rates, is replaced, relative to
+/// the range.
 const INSIDE: f64 = 1e-9;
 
-/// A place at which a slide turns back.
+/// A position at which a slide reverses.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeadCentre {
     /// The driver's coordinate, in degrees or in the scene's length unit.
@@ -22,9 +23,9 @@ pub struct DeadCentre {
 }
 
 impl Solver {
-    /// The dead centres of a slide over the motion, by coordinate: over one period, which may begin a
-    /// little behind 0, or over the range with both of its ends, where the driver turns. None for a slide
-    /// that stands still, or goes one way, round and round.
+    /// Returns the dead centres of a slide over the motion, ordered by coordinate. They cover one
+    /// period, which may begin slightly after 0, or the range including both of its ends, where the
+    /// driver reverses. Empty for a slide that does not move, or always moves in the same sense.
     #[must_use]
     pub fn dead_centres(&self, slide: SlideId) -> Vec<DeadCentre> {
         let solver = self.only(&Demand {
@@ -33,7 +34,7 @@ impl Solver {
         });
         let mut state = solver.state();
         let (low, high) = self.motion.range.ends();
-        // Beside round coordinates, where symmetry puts dead centres.
+        // Offset from round coordinates, where symmetry puts dead centres.
         let place = |k: u32| low + (high - low) * (f64::from(k) + 0.5) / f64::from(LOOKS);
         let finest = self.engine.finest();
         let slope = |at| match solver.solve(at, Order::Velocity, &mut state) {
@@ -41,7 +42,7 @@ impl Solver {
             Condition::DeadPoint | Condition::NoAssembly => None,
         };
         let turns = match self.motion.range {
-            // Round the end of the period to the first place again.
+            // Past the end of the period to the first place again.
             Range::Full { .. } => roots((0..=LOOKS).map(place), finest, slope),
             Range::Limited { .. } => {
                 let inside = INSIDE * (high - low);

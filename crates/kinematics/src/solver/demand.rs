@@ -1,10 +1,11 @@
-//! What of a program a demand needs: the steps are walked backwards from what is read.
+//! Removes the steps of a program that a demand does not need, walking backwards from the values
+//! read.
 
 use super::Demand;
 use super::plan::Program;
 use crate::{LinkId, PointId, SlideId};
 
-/// Some of the points, links and slides of a program.
+/// A subset of the points, links and slides of a program.
 #[derive(Clone, Debug)]
 pub(super) struct Marks {
     pub points: Vec<bool>,
@@ -12,7 +13,7 @@ pub(super) struct Marks {
     pub slides: Vec<bool>,
 }
 
-/// What a step places.
+/// An element placed by a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum PlacedPart {
     Point(PointId),
@@ -38,7 +39,8 @@ impl Marks {
     }
 }
 
-/// Takes the steps that the demand does not need out of a program, and marks what they placed.
+/// Removes the steps that `demand` does not need, and marks in `left_out` the elements that they
+/// place.
 pub(super) fn prune(program: &mut Program, demand: &Demand, left_out: &mut Marks) {
     let mut needed = Marks::none(program, left_out.slides.len());
     let points = demand.points.iter().map(|&p| PlacedPart::Point(p));

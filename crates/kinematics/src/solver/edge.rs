@@ -1,9 +1,9 @@
-//! Where doubles cannot tell, twice the digits do.
+//! Evaluates states in double-double where doubles lose too much precision.
 //!
-//! Close to an end of its motion a mechanism stands as high as the square root of what is left, and
-//! doubles lose of that half of their digits: within some roundings they cannot even tell whether it closes.
-//! There the steps before the first coupled group are run in twice the digits, from the numbers that are
-//! meant, and the figures are rounded once.
+//! Near an end of its motion, a mechanism's distance from its limit position is the square root of
+//! the remaining travel. Doubles lose half of their digits there, and within some rounding errors
+//! of the end they cannot even decide whether it closes. The steps before the first coupled group
+//! are then run in double-double from the typed decimals, and the values are rounded once.
 
 use super::demand::PlacedPart;
 use super::exact::Exact;
@@ -11,12 +11,12 @@ use super::state::{Condition, LinkState, PointState, State, TravelState};
 use super::{Order, Solver, Workspace};
 use crate::{Double, Lanes, Number};
 
-/// Where the square of the sine of a transmission angle is smaller than this, doubles lose three digits of what they
-/// know of a position, and six of its rates.
+/// If the square of the sine of a transmission angle is below this limit, doubles lose three digits
+/// of a position and six of its rates.
 const THIN: f64 = 1.0 / 1_048_576.0;
 
 impl State {
-    /// Whether any dyad is thin.
+    /// Returns `true` if any dyad is near its limit.
     #[inline(always)]
     pub(super) fn is_thin(&self) -> bool {
         self.measures.iter().any(|&measure| measure < THIN)
@@ -24,7 +24,7 @@ impl State {
 }
 
 impl State<Lanes> {
-    /// Whether any dyad is thin in any lane.
+    /// Returns `true` if any dyad is near its limit in any lane.
     #[inline(always)]
     pub(super) fn is_thin(&self) -> bool {
         let mut lanes = self.measures.iter().flat_map(|measure| measure.0);
@@ -33,7 +33,8 @@ impl State<Lanes> {
 }
 
 impl Solver {
-    /// Solves anywhere; by what the motion says of its ends, and closely where doubles do not tell.
+    /// Solves at any coordinate, with the motion's knowledge of its ends, and in double-double
+    /// where doubles do not suffice.
     #[cold]
     pub(super) fn solve_closely(&self, at: f64, order: Order, work: &mut Workspace) {
         work.state.begin(at, order);
@@ -55,7 +56,7 @@ impl Solver {
         }
         let state = &mut work.state;
         state.at = at;
-        // Within rounding of a limit rates are as worthless as at the limit itself.
+        // Within rounding of a limit, rates are as worthless as at the limit itself.
         let is_dead = found != at || self.motion.is_dead_point(at);
         if state.condition == Condition::Ok && is_dead {
             state.condition = Condition::DeadPoint;
@@ -85,7 +86,8 @@ impl Solver {
         condition
     }
 
-    /// Finds what comes before the first coupled group of a state once more, to twice the digits, if these tell.
+    /// Solves the steps before the first coupled group again in double-double, if that improves
+    /// them.
     #[cold]
     pub(super) fn refine(&self, at: f64, order: Order, work: &mut Workspace) {
         let Some(exact) = self.exact.as_ref().filter(|_| !self.is_told(at)) else {
@@ -106,14 +108,15 @@ impl Solver {
         work.close = Some(close);
     }
 
-    /// Whether what the motion has kept stands in at a coordinate: a fold, or a series.
+    /// Returns `true` if data kept by the motion replaces the solution at a coordinate: a fold, or
+    /// a series.
     fn is_told(&self, at: f64) -> bool {
         self.motion.fold_at(at).is_some() || self.is_passing(at)
     }
 }
 
 impl Exact {
-    /// Writes what the first steps have placed, rounded.
+    /// Writes the results of the first `steps` steps, rounded to doubles.
     pub(super) fn write(&self, steps: usize, from: &State<Double>, to: &mut State) {
         let program = &self.engine.program;
         for step in &program.steps[..steps] {

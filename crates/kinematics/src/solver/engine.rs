@@ -16,30 +16,30 @@ use crate::{
 };
 use std::sync::Arc;
 
-/// A watched constraint may miss by the rounding that a long chain of groups gathers, not more;
-/// in units of about the longest link.
+/// Tolerance of a watched constraint, in units of about the longest link. It covers the rounding
+/// error that accumulates in a long chain of groups, and no more.
 const MISFIT: f64 = 1e-11;
 
-/// A program, and what its driver's coordinate means.
+/// A program and its inputs: computes a state from the driver's coordinate.
 #[derive(Clone, Debug)]
 pub(super) struct Engine {
     pub program: Program,
     pub frame: Frame,
     pub turns: bool,
-    /// Whether steps read the angle itself, and not only its direction.
+    /// Whether steps read the angle itself, not only its direction.
     reads_angle: bool,
-    /// The further inputs, to know when they come round.
+    /// The further inputs, needed to find when they return to their start.
     timed: Vec<TimedInput>,
-    /// Of these the ones that follow a table.
+    /// The inputs that follow a table.
     tables: Vec<Following>,
-    /// For every group the sign that its assembly has at the start.
+    /// The sign of each group's assembly at the start.
     pub signs: Vec<f64>,
-    /// What is not placed, because nobody asked for it.
+    /// The elements left out because no value of theirs is read.
     left_out: Option<Arc<Marks>>,
     driven: Option<LinkId>,
-    /// For every point the link placed before it that carries it, if one does: a joint is carried by none.
+    /// For each point a link placed before it that carries it, if any. Joints have none.
     pub carriers: Vec<Option<LinkId>>,
-    /// By how much more a watched constraint may miss, in the solver's unit.
+    /// The misfit that the scene accepts for watched constraints, in the solver's unit.
     accepted: f64,
     /// The driver's speed and acceleration, in radians or scaled lengths.
     driver_rates: [Constant; 2],
@@ -85,7 +85,7 @@ impl Engine {
         engine
     }
 
-    /// The same at the speed and acceleration that the driver of a mechanism has, alike otherwise.
+    /// Returns a copy of the engine with the driver speed and acceleration of `mechanism`.
     pub(super) fn at_speed_of(&self, mechanism: &Mechanism) -> Engine {
         Engine {
             driver_rates: driver_rates(mechanism, &self.frame),
@@ -93,12 +93,12 @@ impl Engine {
         }
     }
 
-    /// The driver's speed and acceleration, in radians or scaled lengths.
+    /// Returns the driver's speed and acceleration, in radians or scaled lengths.
     pub(super) fn driver_rates(&self) -> [Constant; 2] {
         self.driver_rates
     }
 
-    /// Room for an empty state, with the constants in it.
+    /// Creates a workspace with an empty state that contains the constants.
     pub(super) fn state<T: Number>(&self, slides: usize) -> Workspace<T> {
         let fixed_point = |&p: &_| PointState::fixed(Vec2::of(p));
         let fixed_link = |&d: &_| LinkState::fixed(Vec2::of(d));
@@ -125,7 +125,7 @@ impl Engine {
         Workspace::new(state, self.scratch())
     }
 
-    /// Room for the coupled groups.
+    /// Creates the scratch memory of the coupled groups.
     pub(super) fn scratch<T: Number>(&self) -> Scratch<T> {
         let coupled = &self.program.coupled;
         Scratch {
@@ -136,12 +136,12 @@ impl Engine {
         }
     }
 
-    /// The link whose direction is the driver's coordinate, if it is one.
+    /// Returns the link whose direction is the driver's coordinate, if there is one.
     pub(super) fn driven(&self) -> Option<LinkId> {
         self.driven
     }
 
-    /// A difference of the driver's coordinate as the derivatives count it.
+    /// Returns a difference of the driver's coordinate in the unit of the derivatives.
     pub(super) fn difference(&self, from: f64, to: f64) -> f64 {
         if self.turns {
             angle::radians(to - from)
@@ -150,7 +150,8 @@ impl Engine {
         }
     }
 
-    /// The driver's coordinate at a difference from another one, as [`Engine::difference`] counts it.
+    /// Returns the coordinate at a difference from another one, in the unit of
+    /// [`Engine::difference`].
     pub(super) fn moved(&self, from: f64, by: f64) -> f64 {
         from + if self.turns {
             by.to_degrees()
@@ -159,12 +160,12 @@ impl Engine {
         }
     }
 
-    /// The finest difference of the driver's coordinate that states can tell apart, near zero too.
+    /// Returns the finest resolution of the driver's coordinate, which also applies near zero.
     pub(super) fn finest(&self) -> f64 {
         f64::EPSILON * if self.turns { 1.0 } else { self.frame.scale }
     }
 
-    /// Runs every step; a coupled group starts from the z that is in the scratch.
+    /// Runs every step. A coupled group starts from the z in the scratch memory.
     #[inline(always)]
     pub(super) fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         work.state.begin(at, order);
@@ -192,7 +193,7 @@ impl Engine {
         }
     }
 
-    /// With the machine's vector instructions.
+    /// Runs the steps with the machine's vector instructions.
     #[inline(always)]
     fn run_to<const ORDER: u8>(&self, steps: &[Step], at: f64, work: &mut Workspace) -> Condition {
         vectorized(
@@ -212,7 +213,8 @@ impl Engine {
         let (q, direction) = self.coordinate(at);
         let mut condition = Condition::Ok;
         let mut steps = steps.iter();
-        // The driver's own come first: they are placed before anything sends its direction out of the registers.
+        // The driver's own steps come first: they are placed before any code spills its direction
+        // from registers.
         while let Some(first @ (Step::Crank(_) | Step::Spin(_))) = steps.as_slice().first() {
             let _ = run_step::<ORDER>(first, q, direction, state);
             steps.next();
@@ -231,8 +233,8 @@ impl Engine {
         condition
     }
 
-    /// Runs every step in any arithmetic, without looking closer where rounding decides; `place` places the
-    /// coupled groups. Whether everything was placed.
+    /// Runs every step in any arithmetic, without a closer look where rounding decides. `place`
+    /// places the coupled groups. Returns `true` if everything was placed.
     pub(super) fn run_in<T: Number, const ORDER: u8>(
         &self,
         at: T,
@@ -247,7 +249,8 @@ impl Engine {
         })
     }
 
-    /// As [`Engine::run_steps`] close to a change point: there a dyad is placed by its passage.
+    /// Runs steps close to a change point. As [`Engine::run_steps`], but the series of a change
+    /// point replaces the group that crosses it.
     #[inline(never)]
     pub(super) fn run_near(
         &self,
@@ -281,7 +284,8 @@ impl Engine {
         work.condition
     }
 
-    /// Puts what a coupled group has been placed as into its own room: bounds look there.
+    /// Copies the placed values of a coupled group to its scratch memory, where the bounds read
+    /// them.
     fn read_coupled(&self, step: &Step, state: &State, scratch: &mut Scratch) {
         if let Some(index) = step.coupled() {
             let group = &self.program.coupled[index];
@@ -289,7 +293,8 @@ impl Engine {
         }
     }
 
-    /// Positions at a limit at which a coupled group folds: it stands as it was found.
+    /// Computes positions at a limit where a coupled group folds. The group takes the stored
+    /// solution.
     pub(super) fn run_folded(&self, fold: &Folded, work: &mut Workspace) -> Condition {
         let (q, _) = self.coordinate(fold.at);
         work.state.begin(fold.at, Order::Position);
@@ -310,18 +315,18 @@ impl Engine {
         work.condition
     }
 
-    /// Whether all further inputs are where they were after so many turns.
+    /// Returns `true` if all further inputs return to their start after `turns` turns.
     pub(super) fn comes_round(&self, turns: usize) -> bool {
         self.timed.iter().all(|timed| timed.comes_round(turns))
     }
 
-    /// Whether any input follows a table.
+    /// Returns `true` if any input follows a table.
     pub(super) fn has_tables(&self) -> bool {
         !self.tables.is_empty()
     }
 
-    /// How far around a coordinate every input is one function of it, and can be told by a series: in radians or scaled
-    /// lengths.
+    /// Returns how far around a coordinate every input is a single smooth function of it, so that a
+    /// series can represent it: in radians or scaled lengths.
     pub(super) fn smooth(&self, at: f64) -> f64 {
         let (q, unit) = match self.turns {
             true => (at, 1_f64.to_radians()),
@@ -331,7 +336,8 @@ impl Engine {
         tables.fold(f64::INFINITY, f64::min)
     }
 
-    /// The first end of an open table on the way from one coordinate to another, behind that one and before this one.
+    /// Returns the first end of an open table strictly between two coordinates, counted from
+    /// `from`.
     pub(super) fn table_end(&self, from: f64, to: f64) -> Option<f64> {
         let unit = if self.turns { 1.0 } else { self.frame.scale };
         let ends = self.tables.iter().filter_map(Following::open_ends);
@@ -340,7 +346,8 @@ impl Engine {
         between.min_by(|a, b| (a - from).abs().total_cmp(&(b - from).abs()))
     }
 
-    /// The driver's coordinate for the steps: a length, or a direction, and the angle where any step reads it.
+    /// Returns the driver's coordinate for the steps: a length, or a direction and the angle if any
+    /// step reads it.
     #[inline(always)]
     pub(super) fn coordinate<T: Number>(&self, at: T) -> (T, Vec2<T>) {
         if self.turns {
@@ -351,7 +358,7 @@ impl Engine {
         }
     }
 
-    /// The group whose sign a step has, if it has one.
+    /// Returns the group whose sign a step has, if any.
     pub(super) fn group_of(&self, step: usize) -> Option<usize> {
         let step = &self.program.steps[step];
         let coupled = step
@@ -360,7 +367,7 @@ impl Engine {
         coupled.or_else(|| step.choice())
     }
 
-    /// The points and links that a step with a sign places.
+    /// Returns the points and links placed by a step with a sign.
     pub(super) fn outputs(&self, step: usize) -> (Vec<PointId>, Vec<LinkId>) {
         let (mut points, mut links) = (Vec::new(), Vec::new());
         self.program.steps[step].outputs(&self.program.coupled, &mut |part| match part {
@@ -371,8 +378,8 @@ impl Engine {
         (points, links)
     }
 
-    /// The measures of the coupled groups at a solved state, positive on the side of the motion:
-    /// solving itself has no need of them.
+    /// Computes the measures of the coupled groups at a solved state, positive on the side of the
+    /// motion. Solving itself does not need them.
     pub(super) fn measure_coupled(&self, at: f64, work: &mut Workspace) {
         let (q, _) = self.coordinate(at);
         let Workspace { state, scratch, .. } = work;
@@ -382,7 +389,7 @@ impl Engine {
         }
     }
 
-    /// Places what one dyad places.
+    /// Places the elements of one dyad.
     pub(super) fn place_dyad(&self, step: &Step, at: f64, state: &mut State) -> StepOutcome {
         let (q, direction) = self.coordinate(at);
         run_step::<POSITION>(step, q, direction, state)
@@ -408,7 +415,8 @@ impl Engine {
         }
     }
 
-    /// By how much each watched constraint misses, and how far out: rounding grows with the distance.
+    /// Returns each watched constraint with its miss and its distance from the origin: rounding
+    /// errors grow with the distance.
     pub(super) fn misses<T: Number>(
         &self,
         state: &State<T>,
@@ -420,8 +428,8 @@ impl Engine {
         })
     }
 
-    /// The first watched constraint that misses by more than rounding, or than the scene accepts, and
-    /// by how much, in the solver's unit.
+    /// Returns the first watched constraint that misses by more than rounding and the accepted
+    /// misfit, with its miss in the solver's unit.
     pub(super) fn misfit(&self, state: &State) -> Option<(&WatchedConstraint, f64)> {
         // Written so that NaN counts as a misfit.
         let fits = |miss: f64, reach: f64| miss.abs() <= (MISFIT * reach).max(self.accepted);
@@ -430,7 +438,7 @@ impl Engine {
         found.map(|(watch, miss, _)| (watch, miss))
     }
 
-    /// The same engine without the steps that `demand` does not need.
+    /// Returns a copy of the engine without the steps that `demand` does not need.
     pub(super) fn only(&self, demand: &Demand, slides: usize) -> Engine {
         let mut engine = self.clone();
         let mut left_out = match &self.left_out {
@@ -445,8 +453,8 @@ impl Engine {
     }
 }
 
-/// Runs a step of a single state: those that most mechanisms are made of in place, so that what else there
-/// is takes no registers from them.
+/// Runs a step of a single state. The most frequent kinds are inlined, so that the others take no
+/// registers from them.
 #[inline(always)]
 fn run_step<const ORDER: u8>(
     step: &Step,
@@ -474,14 +482,14 @@ fn run_seldom<const ORDER: u8>(
     }
 }
 
-/// Where rounding decides, a dyad looks closer.
+/// Places a dyad with a closer evaluation where rounding decides.
 #[cold]
 fn look_closer(step: &Step, q: f64, state: &mut State) -> StepOutcome {
     let dyad = step.dyad();
     dyad.map_or(StepOutcome::Open, |dyad| dyad.stretch(q, state))
 }
 
-/// The driver's speed and acceleration in the solver's units.
+/// Returns the driver's speed and acceleration in the solver's units.
 fn driver_rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
     let driver = mechanism.driver();
     let unit = match driver.input {
@@ -495,7 +503,8 @@ fn driver_rates(mechanism: &Mechanism, frame: &Frame) -> [Constant; 2] {
     }
 }
 
-/// A speed and an acceleration in units of a size; `are_converted` tells that they were given in others.
+/// Converts a speed and an acceleration to a unit of the given size. `are_converted` means that
+/// they were given in other units.
 pub(super) fn rates(given: [f64; 2], unit: f64, are_converted: bool) -> [Constant; 2] {
     let given = given.map(|rate| Constant::given_in(rate, unit));
     if are_converted {
@@ -506,7 +515,8 @@ pub(super) fn rates(given: [f64; 2], unit: f64, are_converted: bool) -> [Constan
 }
 
 impl Gauge {
-    /// By how much the constraint misses, and how far out: the rounding grows with the distance.
+    /// Returns the miss of the constraint, and its distance from the origin (at least 1): rounding
+    /// errors grow with the distance.
     fn misfit<T: Number>(&self, state: &State<T>) -> (T, f64) {
         let at = |p: crate::PointId| state.points[p.index()].p;
         let turned = |link: LinkId, along: Vec2<Constant>| {
@@ -554,7 +564,7 @@ impl Gauge {
     }
 }
 
-/// Finds for every point the first link placed before it that carries it.
+/// Finds for each point the first link placed before it that carries it.
 fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
     let mut placed: Vec<Option<usize>> = vec![None; program.links.len()];
     let mut carriers = vec![None; program.points.len()];
@@ -562,7 +572,7 @@ fn carriers(mechanism: &Mechanism, program: &Program) -> Vec<Option<LinkId>> {
         let mut links = Vec::new();
         step.outputs(&program.coupled, &mut |part| match part {
             PlacedPart::Point(point) => {
-                // The program has points of its own besides those of the mechanism.
+                // The program has further points of its own.
                 let given = mechanism.points().get(point.index());
                 let carrying = given
                     .into_iter()

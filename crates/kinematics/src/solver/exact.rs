@@ -1,7 +1,7 @@
-//! The mechanism in the numbers that are meant: typed decimals, and not the doubles next to them.
+//! Evaluates a mechanism with its typed decimals instead of the doubles next to them.
 //!
-//! Where doubles cannot tell - whether lengths are equal, on which side of an end a coordinate lies, how
-//! far from its limit a dyad stands - this engine is asked, in twice the digits.
+//! This engine decides in double-double where doubles cannot: whether lengths are equal, on which
+//! side of an end a coordinate lies, and how far a dyad is from its limit.
 
 use super::elements::{ACCELERATION, POSITION, Step, StepOutcome, VELOCITY};
 use super::engine::Engine;
@@ -11,24 +11,24 @@ use super::state::{Condition, State};
 use super::{Demand, Order, chain};
 use crate::{Double, Number};
 
-/// What twice the precision leaves open of an equality, in units of about the longest link.
+/// The uncertainty of an equality in double-double, in units of about the longest link.
 const FLOOR: f64 = 1e-25;
 
-/// The mechanism in the numbers that are meant.
+/// The mechanism with its typed decimals.
 #[derive(Clone, Debug)]
 pub(super) struct Exact {
     pub(super) engine: Engine,
-    /// By how much equal lengths can differ, because two places on the ground or on a link have coordinates that
-    /// were rounded, in the solver's unit: numbers of 15 digits or more have been.
+    /// By how much equal lengths can differ because the coordinates of two places on the ground or
+    /// on a link were rounded, in the solver's unit. Numbers of 15 digits or more count as rounded.
     pub(super) rounding: f64,
-    /// The same for any number of the mechanism, lengths and guides on links among them.
+    /// The same limit for any number of the mechanism, including lengths and guides on links.
     typed: f64,
-    /// So many steps come before the first coupled group: these have a closed form.
+    /// The number of steps before the first coupled group. These have a closed form.
     pub(super) closed: usize,
 }
 
 impl Exact {
-    /// Of a mechanism that has an engine in doubles; `None` where the meant numbers make other groups.
+    /// Creates the exact engine of a mechanism; `None` if its typed decimals lead to other groups.
     pub(super) fn new(
         engine: &Engine,
         network: &Network<'_>,
@@ -45,7 +45,8 @@ impl Exact {
             return None;
         }
         for (step, of) in steps.iter_mut().zip(&engine.program.steps) {
-            // Of two arms that are equal but for a rounding the same one is the nearer.
+            // If two arms are equal except for rounding, both engines must choose the same one as
+            // the nearer.
             if let (Step::Circles(circles), Step::Circles(of)) = (step, of) {
                 circles.measure_from(of.near.pivot);
             }
@@ -58,29 +59,31 @@ impl Exact {
         })
     }
 
-    /// By how much lengths differ that count as equal.
+    /// Returns the maximum difference of lengths that count as equal.
     pub(super) fn slack(&self) -> f64 {
         self.rounding + FLOOR
     }
 
-    /// By how much numbers of the mechanism can be off: those of 15 digits or more have been rounded.
+    /// Returns the maximum error of any number of the mechanism: those of 15 digits or more are
+    /// rounded.
     pub(super) fn typed_slack(&self) -> f64 {
         self.typed + FLOOR
     }
 
-    /// Whether twice the digits tell more of the first steps than doubles do. Where lengths count as equal
-    /// within what coordinates were rounded by, that is no matter of digits.
+    /// Returns `true` if double-double decides more about the first steps than doubles do. If
+    /// lengths count as equal within the rounding of coordinates, more digits do not help.
     pub(super) fn tells(&self, steps: usize) -> bool {
         steps <= self.closed && self.rounding == 0.0
     }
 
-    /// Room for a state in another arithmetic than doubles.
+    /// Creates a state in any arithmetic.
     pub(super) fn state<T: Number>(&self, slides: usize) -> State<T> {
         self.engine.state(slides).into_state()
     }
 
-    /// Runs the first steps with these signs, in twice the digits; the dyad of the group `ending` stands at
-    /// its limit. So does one of which not even these tell on which side of its limit it is.
+    /// Runs the first `steps` steps with these signs. The dyad of the group `ending` is placed at
+    /// its limit. So is a dyad for which this arithmetic cannot decide on which side of its limit
+    /// it is.
     pub(super) fn run<T: Number>(
         &self,
         steps: usize,
@@ -130,7 +133,7 @@ impl Exact {
         condition
     }
 
-    /// The first closed step that cannot be done at a coordinate, to twice the digits.
+    /// Returns the first closed step that cannot be done at a coordinate, in double-double.
     pub(super) fn stops(&self, at: f64, state: &mut State<Double>) -> Option<usize> {
         let (q, direction) = self.engine.coordinate(Double::exactly(at));
         let mut steps = self.engine.program.steps[..self.closed].iter();
@@ -138,7 +141,7 @@ impl Exact {
             .position(|step| step.run::<Double, POSITION>(q, direction, state) != StepOutcome::Done)
     }
 
-    /// The same without the steps that `demand` does not need.
+    /// Returns a copy without the steps that `demand` does not need.
     pub(super) fn only(&self, demand: &Demand, slides: usize) -> Exact {
         let engine = self.engine.only(demand, slides);
         Exact {
@@ -149,7 +152,7 @@ impl Exact {
     }
 }
 
-/// How many steps come before the first coupled group.
+/// Returns the number of steps before the first coupled group.
 fn closed(engine: &Engine) -> usize {
     let mut steps = engine.program.steps.iter();
     let first = steps.position(|step| step.coupled().is_some());

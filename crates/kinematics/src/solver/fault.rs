@@ -1,7 +1,7 @@
 use crate::{ElementId, LimitId, LinkId, PointId, Vec2};
 use thiserror::Error;
 
-/// Why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
+/// The reason why a mechanism as a whole cannot be solved. Carries ids; a scene knows the lines.
 #[derive(Clone, Debug, Error, PartialEq)]
 pub enum Fault {
     /// Mobility other than one.
@@ -11,24 +11,24 @@ pub enum Fault {
         mobility: usize,
         /// Constraints that repeat others.
         redundant: usize,
-        /// What these belong to, and what they repeat.
+        /// The elements of these constraints, and those that they repeat.
         repeating: Vec<ElementId>,
         /// Links that the driver does not determine.
         floating: Vec<LinkId>,
-        /// Whether rounding hides what is free: a mechanism next to this one may have none.
+        /// Whether rounding hides the free motion: a slightly different mechanism may not have it.
         is_unclear: bool,
     },
-    /// More constraints than the motion allows, and they do not agree (an immobile structure).
+    /// Redundant constraints that contradict each other (an immobile structure).
     #[error("over-constrained: the parts do not fit by {misfit:e}")]
     OverConstrained {
-        /// The element set aside as redundant that does not fit.
+        /// The redundant element that does not fit.
         element: ElementId,
-        /// What it repeats at the start, where that can be told: any of these may be the wrong one.
+        /// The elements that it repeats at the start, if known: any of these may be the wrong one.
         others: Vec<ElementId>,
-        /// By how much, in the scene's length unit; of slides that hold one link at two angles, at the
-        /// end of the longest length.
+        /// The misfit, in the scene's length unit. For slides that fix one link at two angles, it
+        /// is measured at the end of the longest length.
         misfit: f64,
-        /// At which coordinate of the driver.
+        /// The driver's coordinate of the misfit.
         at: f64,
     },
     /// A group that cannot be closed at the start.
@@ -36,82 +36,84 @@ pub enum Fault {
     Open {
         /// The joint that cannot be placed.
         point: PointId,
-        /// The links that ought to meet there.
+        /// The links that should meet there.
         links: Vec<LinkId>,
-        /// The distance that is missing, in the scene's length unit.
+        /// The remaining gap, in the scene's length unit.
         gap: f64,
     },
-    /// The start does not choose between the assemblies of a group.
+    /// A start that does not choose between the assemblies of a group.
     #[error("the start does not say which assembly is meant")]
     Vague {
         /// The joint whose position would decide.
         point: PointId,
-        /// Where it can be.
+        /// The possible positions of the joint.
         choices: Vec<Vec2>,
-        /// What else is open then: the groups that are solved after it, each with all before it at their first
-        /// choices.
+        /// The further open choices: the groups after it, each with the first choices of all groups
+        /// before it.
         behind: Vec<OpenChoice>,
     },
-    /// The scene opens exactly where two assemblies of a dyad meet and the motion passes: no position
-    /// tells which way it goes on.
+    /// An opening exactly where two assemblies of a dyad meet and the motion passes through. A
+    /// position cannot determine the branch on which it continues.
     #[error("the start is a change point, where two ways lead on")]
     ChangePoint {
-        /// What names the dyad.
+        /// The element after which the dyad is named.
         group: ElementId,
     },
-    /// The mechanism is assembled beyond a stop where the scene opens.
+    /// An assembly that opens beyond a stop.
     #[error("it opens beyond a stop, at {value}")]
     BeyondStop {
-        /// The limit that is passed.
+        /// The limit beyond which it lies.
         limit: LimitId,
-        /// The value of its coordinate there, in degrees or the scene's length unit.
+        /// The value of its coordinate, in degrees or the scene's length unit.
         value: f64,
     },
-    /// Two stops that hold the mechanism where the scene opens: the one allows no way down, the other none up.
+    /// Two stops that lock the mechanism where the scene opens: one blocks the motion downwards,
+    /// the other upwards.
     #[error("two stops hold it where it opens")]
     HeldByStops {
-        /// The limit that ends the way down.
+        /// The limit that ends the motion downwards.
         down: LimitId,
-        /// The limit that ends the way up.
+        /// The limit that ends the motion upwards.
         up: LimitId,
     },
     /// A pick that its group does not have.
     #[error("the group has no such assembly, but {found}")]
     NoChoice {
-        /// What names the group.
+        /// The element after which the group is named.
         group: ElementId,
-        /// How many assemblies it has here; 0 where nothing of that name has any choice.
+        /// The number of assemblies that it has here; 0 if there is no group of that name with
+        /// choices.
         found: usize,
     },
     /// A coupled group for which no assembly was found near the start.
     #[error("no assembly was found near the start")]
     NotAssembled {
-        /// Points of the group whose start positions would help.
+        /// Points of the group for which start positions would help.
         points: Vec<PointId>,
         /// The smallest misfit reached, in the scene's length unit.
         gap: f64,
     },
-    /// Constraints that determine no position: parallel guides, mostly.
+    /// Constraints that do not determine a position, such as parallel guides.
     #[error("the group is singular")]
     Singular {
         /// The elements of the group.
         elements: Vec<ElementId>,
-        /// Whether it is so only where the scene opens: at a change point or a dead point.
+        /// Whether it is singular only where the scene opens: at a change point or a dead point.
         is_here_only: bool,
     },
 }
 
-/// A group that can be assembled in several ways, of which the start says none.
+/// A group with several assemblies between which the start does not choose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OpenChoice {
     /// The joint whose position would decide.
     pub point: PointId,
-    /// Where it can be, in the scene's unit.
+    /// The possible positions of the joint, in the scene's unit.
     pub choices: Vec<Vec2>,
 }
 
 impl Fault {
-    /// A group that is open, whatever is open behind it.
+    /// Creates the fault of a group with an open choice, without the groups after it.
     pub(super) fn vague(point: PointId, choices: Vec<Vec2>) -> Fault {
         let behind = Vec::new();
         Fault::Vague {

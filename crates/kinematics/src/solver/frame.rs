@@ -1,37 +1,38 @@
-//! The solver's own frame: a ground pivot as origin, lengths scaled by a power of two.
+//! Defines the solver's own frame: a ground pivot as origin, lengths scaled by a power of two.
 //!
-//! Far coordinates cost no digits, products of four lengths neither overflow nor underflow, and a
-//! scene scaled by a power of two gives the same bits: the scaling itself is exact.
+//! Coordinates far from the scene's origin cost no digits, and products of four lengths neither
+//! overflow nor underflow. A scene scaled by a power of two gives the same bits, because the
+//! scaling itself is exact.
 
 use crate::{Body, Constant, Input, Mechanism, Member, Number, Vec2};
 
-/// From the scene's frame and unit to the solver's.
+/// The conversion from the scene's frame and unit to the solver's.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Frame {
-    /// As it was given: how well it is known is asked once, and not by every place that is read.
+    /// The origin as given. Its accuracy is determined once here, not again for every place read.
     origin: Vec2<Constant>,
-    /// A power of two: the scene's length of the solver's unit.
+    /// The solver's unit in the scene's length unit: a power of two.
     pub(super) scale: f64,
-    /// The largest given coordinate on the ground, in the solver's unit: far along the plan lengths are
-    /// no better known than the rounding of this.
+    /// The largest given coordinate on the ground, in the solver's unit. Lengths far from the
+    /// origin are no more accurate than the rounding of this number.
     pub(super) far: f64,
-    /// The longest length in the solver's unit: in [1, 2), or 0 where there is none.
+    /// The longest length in the solver's unit: in [1, 2), or 0 if there is none.
     pub(super) longest: f64,
     reading: NumberReading,
 }
 
-/// What the numbers of a mechanism are taken for.
+/// How the numbers of a mechanism are interpreted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum NumberReading {
-    /// For the doubles that they are, known to half an ulp of what was meant; what parts two places of the ground is
-    /// rounded from the decimals, where they are such.
+    /// Numbers are doubles, known to half an ulp of the intended value. The difference of two
+    /// places on the ground is rounded from the decimals, if they are decimals.
     Given { decimals: bool },
-    /// For what is meant, see [`Constant::meant`].
+    /// Numbers are the typed decimals, see [`Constant::meant`].
     Meant { decimals: bool },
 }
 
 impl Frame {
-    /// The frame in which the mechanism's longest length lies in [1, 2).
+    /// Creates the frame in which the mechanism's longest length lies in [1, 2).
     pub(super) fn of(mechanism: &Mechanism) -> Frame {
         let origin = origin(mechanism);
         let mut longest = 0.0_f64;
@@ -72,7 +73,7 @@ impl Frame {
         }
     }
 
-    /// The same frame, for the numbers that are meant.
+    /// Returns the same frame for the typed decimals.
     pub(super) fn meant(self, mechanism: &Mechanism) -> Frame {
         let decimals = mechanism.has_decimals();
         Frame {
@@ -81,8 +82,9 @@ impl Frame {
         }
     }
 
-    /// What parts two places of the ground or of a link, at the most, that were rounded: see [`Constant::compared`].
-    /// Places on a link's x or y axis are lengths: two of them are equal or they are not.
+    /// Returns the maximum rounding of the difference of two places on the ground or on a link: see
+    /// [`Constant::compared`]. Places on a link's x or y axis are lengths, which are either equal
+    /// or not.
     pub(super) fn rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
         let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius / self.scale);
@@ -95,14 +97,14 @@ impl Frame {
         sizes.chain(members).fold(0.0, f64::max)
     }
 
-    /// What any number on a link, or of a guide, can have been rounded by.
+    /// Returns the maximum rounding of any number on a link, or of a guide.
     pub(super) fn typed_rounding(&self, mechanism: &Mechanism) -> f64 {
         let decimals = mechanism.has_decimals();
         let off = |place: Vec2| Constant::compared(place, decimals).map(|v| v.radius);
         let members = mechanism.links().iter().flat_map(|link| &link.members);
         let members = members.map(|member| member.rounding(decimals));
         let guides = mechanism.slides().iter().filter_map(|slide| {
-            // A guide through a point that is given by length and angle lies as well as that.
+            // A guide through a point given by length and angle is as accurate as that point.
             let named = mechanism.polar_through(slide);
             named.is_none().then(|| off(slide.through).norm())
         });
@@ -114,7 +116,7 @@ impl Frame {
         lengths.chain(angles).fold(0.0, f64::max)
     }
 
-    /// A place of the scene, as it is taken.
+    /// Interprets a place of the scene.
     fn read(&self, place: Vec2) -> Vec2<Constant> {
         match self.reading {
             NumberReading::Given { .. } => place.map(Constant::given),
@@ -122,12 +124,13 @@ impl Frame {
         }
     }
 
-    /// A number of the scene that is no place, as it is taken.
+    /// Interprets a number of the scene that is not a place.
     pub(super) fn number(&self, value: f64) -> Constant {
         self.read(Vec2::new(value, 0.0)).x
     }
 
-    /// The size of the solver's unit of an input's coordinate: a power of two, 1 for degrees.
+    /// Returns the size of the solver's unit of an input's coordinate: a power of two, 1 for
+    /// degrees.
     pub(super) fn unit_of(&self, input: Input) -> f64 {
         match input {
             Input::Turn(_) => 1.0,
@@ -135,12 +138,12 @@ impl Frame {
         }
     }
 
-    /// The solver's origin in the scene.
+    /// Returns the solver's origin in the scene's frame.
     pub(super) fn origin(&self) -> Vec2<Constant> {
         self.origin
     }
 
-    /// The unit vector at an angle in degrees.
+    /// Returns the unit vector at an angle in degrees.
     pub(super) fn unit(&self, degrees: f64) -> Vec2<Constant> {
         match self.reading {
             NumberReading::Given { .. } => Constant::given_unit(degrees),
@@ -148,21 +151,21 @@ impl Frame {
         }
     }
 
-    /// A length of the scene in the solver's unit; exact.
+    /// Converts a length of the scene to the solver's unit; exact.
     pub(super) fn length(&self, length: f64) -> f64 {
         length / self.scale
     }
 
-    /// A vector in a link's frame in the solver's unit; exact.
+    /// Converts a vector in a link's frame to the solver's unit; exact.
     pub(super) fn local(&self, local: Vec2) -> Vec2<Constant> {
         match self.reading {
-            // Scaled first: the smallest doubles know no half of an ulp.
+            // Scaled first: half an ulp of the smallest doubles is not representable.
             NumberReading::Given { .. } => local.map(|v| Constant::given_in(v, self.scale)),
             NumberReading::Meant { .. } => self.read(local).map(|v| self.inwards(v)),
         }
     }
 
-    /// A point of a link in the link's frame, in the solver's unit; exact.
+    /// Returns a point of a link in the link's frame, in the solver's unit; exact.
     pub(super) fn member(&self, member: &Member) -> Vec2<Constant> {
         if member.polar.is_none() {
             return self.local(member.local);
@@ -174,14 +177,14 @@ impl Frame {
         place.map(|v| self.inwards(v))
     }
 
-    /// A place of the scene in the solver's frame; exact.
+    /// Converts a place of the scene to the solver's frame; exact.
     pub(super) fn inner(&self, place: Vec2) -> Vec2<Constant> {
         let origin = self.origin.nearest();
         let read = self.read(place) - self.read(origin);
         let away = match self.reading {
             NumberReading::Given { decimals: true } => {
                 let meant = Constant::meant(place, true) - Constant::meant(origin, true);
-                // What was meant is as near to a double as the decimal is.
+                // The typed value is as near to a double as the decimal is.
                 let off = |meant: Constant, read: Constant| meant.widened(2.0 * read.radius);
                 Vec2::new(off(meant.x, read.x), off(meant.y, read.y))
             }
@@ -190,7 +193,7 @@ impl Frame {
         away.map(|v| self.inwards(v))
     }
 
-    /// A length in the solver's unit; exact.
+    /// Converts a length to the solver's unit; exact.
     fn inwards(&self, length: Constant) -> Constant {
         let inwards = |v: f64| v / self.scale;
         Constant {
@@ -201,20 +204,20 @@ impl Frame {
         }
     }
 
-    /// A place of the solver in the scene's frame.
+    /// Converts a place in the solver's frame to the scene's frame.
     #[inline]
     pub(super) fn place<T: Number>(&self, inner: Vec2<T>) -> Vec2<T> {
         inner.scaled(self.scale).plus(self.origin)
     }
 }
 
-/// The largest coordinate of a place on the ground.
+/// Returns the largest absolute coordinate of a place on the ground.
 fn furthest(mechanism: &Mechanism) -> f64 {
     let sizes = grounded(mechanism).map(|p| p.x.abs().max(p.y.abs()));
     sizes.fold(0.0, f64::max)
 }
 
-/// The places that are given on the ground, of points and of guides.
+/// Returns the given places on the ground, of points and of guides.
 fn grounded(mechanism: &Mechanism) -> impl Iterator<Item = Vec2> {
     let points = mechanism.points().iter().filter_map(|p| p.ground);
     let slides = mechanism.slides().iter();
@@ -222,7 +225,7 @@ fn grounded(mechanism: &Mechanism) -> impl Iterator<Item = Vec2> {
     points.chain(guides)
 }
 
-/// The driven link's pivot, or else the first ground point.
+/// Returns the driven link's pivot, or else the first ground point.
 fn origin(mechanism: &Mechanism) -> Vec2 {
     let ground = |id: crate::PointId| mechanism.point(id).ground;
     let pivot = match mechanism.driver().input {
@@ -236,7 +239,7 @@ fn origin(mechanism: &Mechanism) -> Vec2 {
     pivot.or_else(first).unwrap_or(Vec2::ZERO)
 }
 
-/// The largest power of two not above `length`; 1 where there is no length to go by.
+/// Returns the largest power of two not above `length`; 1 if the length is zero or not finite.
 fn power_of_two_below(length: f64) -> f64 {
     if !(length.is_finite() && length > 0.0) {
         return 1.0;

@@ -1,18 +1,18 @@
-//! States whose figures are known to exist.
+//! Reads states whose values are known to exist.
 
 use super::state::{Sliding, State, Travel};
 use crate::{LinkId, PointId, SlideId, Vec2};
 use std::ops::Deref;
 
-/// A state for readers that have asked what there is. A figure that does not exist all the same reads as
-/// NaN, which no table shows and no comparison passes.
+/// A state for readers that have checked which values exist. A missing value reads as NaN, which no
+/// table shows and no comparison accepts.
 #[derive(Clone, Copy, Debug)]
 pub struct Known<'a>(&'a State);
 
 const NOWHERE: Vec2 = Vec2::new(f64::NAN, f64::NAN);
 
 impl State {
-    /// For readers that have asked what there is.
+    /// Returns a view of the state whose readers return NaN instead of `None`.
     pub fn known(&self) -> Known<'_> {
         Known(self)
     }

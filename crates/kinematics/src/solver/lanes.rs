@@ -1,6 +1,7 @@
-//! Several coordinates of the driver at once, in the lanes of the machine's vector registers.
+//! Solves at several coordinates of the driver at once, in the lanes of the machine's vector
+//! registers.
 //!
-//! The steps are those of a single state, written once, in an arithmetic of several doubles.
+//! The steps are those of a single state, generic over an arithmetic of several doubles.
 
 use super::elements::{ACCELERATION, POSITION, StepOutcome, VELOCITY};
 use super::engine::Engine;
@@ -9,17 +10,17 @@ use super::{Order, Solver, Workspace};
 use crate::{LANES, Lanes, vectorized};
 
 impl Solver {
-    /// Room for the states at several coordinates.
+    /// Creates a workspace for the states at several coordinates.
     #[must_use]
     pub fn lanes(&self) -> Workspace<Lanes> {
         self.room()
     }
 
-    /// Solves for several of the driver's coordinates at once, if each is an ordinary one; otherwise,
-    /// and for every mechanism with a coupled group, says `false`: then they want to be solved one by
-    /// one, and what is in `state` means nothing.
+    /// Solves for several of the driver's coordinates at once. Returns `true` if each of them is an
+    /// ordinary one. Returns `false` if not, and for every mechanism with a coupled group. Then
+    /// `work` is meaningless, and the coordinates must be solved one by one.
     ///
-    /// Each lane has the bits that [`Solver::solve`] gives for its coordinate, and is
+    /// Each lane has the same bits as [`Solver::solve`] at its coordinate, and is
     /// [`Condition::Ok`]. Allocates nothing.
     #[must_use]
     pub fn solve_lanes(&self, at: [f64; LANES], order: Order, work: &mut Workspace<Lanes>) -> bool {
@@ -43,7 +44,7 @@ impl Solver {
         solved && !work.state.withholds()
     }
 
-    /// With the instructions that the steps are run with.
+    /// Computes the forces with the vector instructions that run the steps.
     fn balance_lanes(&self, order: Order, work: &mut Workspace<Lanes>) {
         vectorized(
             #[inline(always)]
@@ -51,12 +52,12 @@ impl Solver {
         );
     }
 
-    /// Neither outside the motion nor at or near one of its singular places.
+    /// Returns `true` if a coordinate is inside the motion and away from its singularities.
     fn is_ordinary(&self, at: f64) -> bool {
         self.motion.is_clear(at) && !self.is_passing(at)
     }
 
-    /// Change points may lie between the lanes.
+    /// Sets the signs of all groups in all lanes. Change points may lie between the lanes.
     pub(super) fn choose_in_lanes(&self, at: [f64; LANES], state: &mut State<Lanes>) {
         let passages = &self.motion.passages;
         if passages.is_empty() {
@@ -75,8 +76,8 @@ impl Solver {
 }
 
 impl Engine {
-    /// Whether all steps are done in all lanes; none where the lanes of an input would lie in different parts of its
-    /// table.
+    /// Runs all steps in all lanes. Returns `true` if all succeed, and `false` if an input follows
+    /// a table, since its lanes could lie in different parts of the table.
     pub(super) fn run_lanes(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
         !self.has_tables()
             && vectorized(
@@ -85,7 +86,7 @@ impl Engine {
             )
     }
 
-    /// With the instructions that the code around is compiled for.
+    /// Runs all steps with the instructions for which the surrounding code is compiled.
     #[inline(always)]
     fn run_lanes_here(&self, at: Lanes, order: Order, state: &mut State<Lanes>) -> bool {
         state.begin(at, order);
@@ -102,7 +103,7 @@ impl Engine {
         for step in &self.program.steps {
             match step.run::<Lanes, ORDER>(q, direction, state) {
                 StepOutcome::Done => {}
-                // Some lane wants to be looked at more closely.
+                // Some lane needs a closer evaluation.
                 StepOutcome::Unclear | StepOutcome::Stretched | StepOutcome::Open => return false,
             }
         }

@@ -1,10 +1,12 @@
-//! Gauss' elimination with partial pivoting, in place: the few lines that a coupled group needs,
-//! since solving must not allocate.
+//! Solves dense linear systems in place, by Gaussian elimination with partial pivoting.
+//!
+//! A coupled group needs only these few lines, and solving must not allocate.
 
 use crate::Number;
 
-/// Factors the n x n `matrix` (by rows) into L U; `pivots[k]` is the row that came to place k. Gives
-/// the sign of the determinant, 1 or -1. `None` where a column has no pivot: the matrix is singular, or not finite.
+/// Factors the n x n `matrix` (row-major) into L U; `pivots[k]` is the row swapped with row k.
+/// Returns the sign of the determinant, 1 or -1. `None` if a column has no pivot: the matrix is
+/// singular, or not finite.
 pub(super) fn factor<T: Number>(matrix: &mut [T], pivots: &mut [usize], n: usize) -> Option<f64> {
     let mut sign = 1.0;
     for k in 0..n {
@@ -33,7 +35,7 @@ pub(super) fn factor<T: Number>(matrix: &mut [T], pivots: &mut [usize], n: usize
     Some(sign)
 }
 
-/// Solves with what [`factor`] left; the answer takes the place of `right`.
+/// Solves a system with the factors from [`factor`]. The solution replaces `right`.
 pub(super) fn solve<T: Number>(matrix: &[T], pivots: &[usize], right: &mut [T], n: usize) {
     for (k, &pivot) in pivots.iter().enumerate() {
         right.swap(k, pivot);
@@ -49,7 +51,7 @@ pub(super) fn solve<T: Number>(matrix: &[T], pivots: &[usize], right: &mut [T], 
     }
 }
 
-/// Solves with the transpose of the matrix that [`factor`] was given.
+/// Solves with the transpose of the matrix passed to [`factor`].
 pub(super) fn solve_transposed<T: Number>(
     matrix: &[T],
     pivots: &[usize],
@@ -70,7 +72,8 @@ pub(super) fn solve_transposed<T: Number>(
     }
 }
 
-/// The size of the largest component; NaN where any is NaN, so that `largest(..) < limit` refuses it.
+/// Returns the largest absolute value of the components. NaN if any is NaN, so that `largest(..) <
+/// limit` is `false`.
 pub(super) fn largest<T: Number>(v: &[T]) -> f64 {
     let sizes = v.iter().map(|v| v.nearest().abs());
     sizes.fold(0.0, |most, size| {

@@ -1,9 +1,9 @@
-//! From a mechanism and the driver's coordinate to a state.
+//! Solves a mechanism: computes its state from the driver's coordinate.
 //!
-//! [`Solver::new`] does everything that needs to be done once: the network of constraints is
-//! ordered into groups, the groups become elementary steps, each takes the assembly that the
-//! start means, and the whole motion is followed. [`Solver::solve`] then runs the steps at any
-//! coordinate, in any order, without a history and without allocating.
+//! [`Solver::new`] does the work needed only once. It orders the constraint network into groups,
+//! turns the groups into elementary steps, selects each group's assembly near the start, and
+//! follows the whole motion. [`Solver::solve`] then runs the steps at any coordinate, in any order.
+//! It keeps no history and does not allocate.
 //!
 //! ```text
 //! once       network   points, links and slides as constraints: what is known, what is sought
@@ -23,7 +23,7 @@
 //!            ways to solve, to compare)
 //! ```
 //!
-//! Formulas of steps and coupled groups are written once, over [`crate::Number`].
+//! Formulas of steps and coupled groups are written once, generic over [`crate::Number`].
 
 mod assemble;
 mod bounds;
@@ -83,7 +83,7 @@ pub use transmission::{Extreme, Transmission};
 pub use varied::Varied;
 pub use workspace::Workspace;
 
-/// Hooks for tests of other crates. Not part of the interface.
+/// Test hooks for other crates. Not part of the interface.
 #[cfg(any(test, feature = "testing"))]
 #[doc(hidden)]
 pub mod testing {
@@ -106,34 +106,34 @@ use network::Network;
 use order::Ordering;
 use std::sync::Arc;
 
-/// How far a state is solved.
+/// The highest order to which a state is solved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Order {
-    /// Positions alone.
+    /// Positions only.
     Position,
     /// Positions and velocities.
     Velocity,
     /// Positions, velocities and accelerations.
     Acceleration,
-    /// These, and the forces, where anything acts.
+    /// All of these, and the forces if the mechanism has loads.
     Force,
 }
 
-/// What a caller wants to read from a state: the solver leaves out everything else.
+/// The values that a caller reads from a state. The solver leaves out everything else.
 #[derive(Clone, Debug, Default)]
 pub struct Demand {
     /// Points whose motion is read.
     pub points: Vec<PointId>,
-    /// Links whose direction or turning is read.
+    /// Links whose direction or rotation is read.
     pub links: Vec<LinkId>,
     /// Slides whose guide or travel is read.
     pub slides: Vec<SlideId>,
-    /// Whether forces are read: everything that moves has a part in them.
+    /// Whether forces are read. They depend on everything that moves, so nothing is left out.
     pub forces: bool,
 }
 
 impl Demand {
-    /// All that moves, and no forces.
+    /// Creates a demand for every point, link and slide, without forces.
     #[must_use]
     pub fn of_motion(mechanism: &Mechanism) -> Demand {
         Demand {
@@ -145,41 +145,43 @@ impl Demand {
     }
 }
 
-/// A mechanism made ready to be solved at any coordinate of its driver.
+/// A mechanism prepared for solving at any coordinate of its driver.
 #[derive(Clone)]
 pub struct Solver {
     mechanism: Mechanism,
     engine: Engine,
-    /// The same in the numbers that are meant, to look closer.
+    /// The same mechanism with typed decimals instead of doubles, for double-double evaluation.
     exact: Option<Arc<Exact>>,
-    /// What the groups were made from, to make them again for other lengths.
+    /// The ordering from which the groups were built, kept to rebuild them for other lengths.
     ordering: Ordering,
     plan: Plan,
     motion: Motion,
     first_loop: Option<DrivenLoop>,
     slides: usize,
-    /// Where the scene opens, if the motion comes there.
+    /// The driver's coordinate at which the scene opens, if the motion reaches it.
     opening: f64,
-    /// What the rank of the constraints says.
+    /// The result of the rank analysis of the constraints.
     rank: Rank,
-    /// How forces are found, where anything acts.
+    /// The force analysis, if the mechanism has loads.
     balance: Option<Arc<Balance>>,
 }
 
 impl Solver {
-    /// Plans the mechanism, assembles it at the driver's start and follows its whole motion once.
+    /// Creates a solver: plans the mechanism, assembles it at the driver's start and follows its
+    /// motion.
     ///
     /// # Errors
-    /// What makes the mechanism impossible as a whole: see [`Fault`].
+    /// Returns the reason why the mechanism as a whole cannot be solved: see [`Fault`].
     pub fn new(mechanism: &Mechanism) -> Result<Solver, Fault> {
         Solver::with_assembly(mechanism, &[])
     }
 
-    /// As [`Solver::new`], where the groups that are named ([`Group::name`]) take what was picked for
-    /// them at the driver's start; the others go by the mechanism's start.
+    /// Creates a solver with given assemblies at the driver's start. As [`Solver::new`], except
+    /// that each group named in `picks` ([`Group::name`]) takes the assembly picked for it. All
+    /// other groups follow the mechanism's start.
     ///
     /// # Errors
-    /// See [`Fault`]; a pick that its group does not have among them.
+    /// See [`Fault`]. In particular, a pick that its group does not have is an error.
     pub fn with_assembly(
         mechanism: &Mechanism,
         picks: &[(ElementId, Pick)],
@@ -188,7 +190,8 @@ impl Solver {
         Solver::open(mechanism, start, mechanism.start(), picks)
     }
 
-    /// Assembles the mechanism at a coordinate, near rough places, and follows its motion from there.
+    /// Assembles the mechanism at the coordinate `at`, near approximate positions, and follows its
+    /// motion from there.
     fn open(
         mechanism: &Mechanism,
         at: f64,
@@ -276,31 +279,33 @@ impl Solver {
         Ok(solver)
     }
 
-    /// The mechanism that it solves.
+    /// Returns the mechanism.
     #[must_use]
     pub fn mechanism(&self) -> &Mechanism {
         &self.mechanism
     }
 
-    /// The groups in the order in which they are solved.
+    /// Returns the groups in solving order.
     #[must_use]
     pub fn plan(&self) -> &Plan {
         &self.plan
     }
 
-    /// What the rank of the constraints says: which repeat others, and whether that is certain.
+    /// Returns the result of the rank analysis: the redundant constraints, and whether the rank is
+    /// certain.
     #[must_use]
     pub fn rank(&self) -> &Rank {
         &self.rank
     }
 
-    /// The whole motion: the driver's range.
+    /// Returns the motion of the mechanism: the driver's range, its ends and its change points.
     #[must_use]
     pub fn motion(&self) -> &Motion {
         &self.motion
     }
 
-    /// The same solver, without the groups and points that `demand` does not depend on.
+    /// Returns a copy of the solver without the groups and points on which `demand` does not
+    /// depend.
     #[must_use]
     pub fn only(&self, demand: &Demand) -> Solver {
         Solver {
@@ -314,13 +319,14 @@ impl Solver {
         }
     }
 
-    /// The loop of the driven link, a dyad and the ground, if the mechanism begins with one.
+    /// Returns the loop of the driven link, a dyad and the ground, if the mechanism starts with
+    /// one.
     #[must_use]
     pub fn first_loop(&self) -> Option<DrivenLoop> {
         self.first_loop
     }
 
-    /// Room for a state: all that solving needs.
+    /// Creates a workspace with a state and all scratch memory for solving.
     #[must_use]
     pub fn state(&self) -> Workspace {
         let mut work = self.room();
@@ -328,46 +334,48 @@ impl Solver {
         work
     }
 
-    /// Room for a state in any arithmetic.
+    /// Creates a workspace in any arithmetic.
     fn room<T: Number>(&self) -> Workspace<T> {
         self.room_of(&self.engine)
     }
 
-    /// The same with the constants of an engine, at the speed of this solver.
+    /// Creates a workspace with the constants of `engine`, at the driver speed of this solver.
     fn room_of<T: Number>(&self, engine: &Engine) -> Workspace<T> {
         let mut work = engine.state(self.slides);
         work.state.pass(self.engine.driver_rates());
         self.with_forces(work)
     }
 
-    /// Makes room for the forces, where anything acts.
+    /// Allocates the force values of a workspace if the mechanism has loads.
     fn with_forces<T: Number>(&self, mut work: Workspace<T>) -> Workspace<T> {
         let balance = self.balance.as_ref();
         work.state.forces = balance.map(|b| b.room(&self.engine));
         work
     }
 
-    /// Room for what is looked at in twice the digits, from the numbers that are meant.
+    /// Creates a state for double-double evaluation with typed decimals; `None` without an exact
+    /// engine.
     fn close_state<T: Number>(&self) -> Option<State<T>> {
         Some(self.exact.as_ref()?.state(self.slides))
     }
 
-    /// Whether anything acts on the mechanism: a load, a weight or inertia.
+    /// Returns `true` if the mechanism has loads, weights or inertia.
     #[must_use]
     pub fn has_forces(&self) -> bool {
         self.balance.is_some()
     }
 
-    /// The reactions that a redundant linkage leaves open: any force of the constraint that repeats others
-    /// is in equilibrium.
+    /// Returns the reactions that a redundant linkage leaves undetermined: any force of the
+    /// redundant constraint is in equilibrium.
     #[must_use]
     pub fn indeterminate(&self) -> &[Indeterminate] {
         self.balance.as_ref().map_or(&[], |b| b.indeterminate())
     }
 
-    /// Solves for the driver's coordinate `at` (deg, or the scene's length unit), not wrapped.
+    /// Solves at the driver's coordinate `at` (degrees, or the scene's length unit), not wrapped.
     ///
-    /// The result depends on `at` alone, never on what the room held before. Allocates nothing.
+    /// The result depends only on `at`, never on earlier contents of the workspace. Allocates
+    /// nothing.
     pub fn solve(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let is_solved = self.motion.is_clear(at)
             && matches!(
@@ -385,25 +393,25 @@ impl Solver {
         work.condition
     }
 
-    /// Whether there are forces to find, or old ones to forget.
+    /// Returns `true` if there are forces to compute, or old ones to clear.
     #[inline(always)]
     fn follows_forces<T>(&self, work: &Workspace<T>) -> bool {
         self.has_forces() || work.state.forces.is_some()
     }
 
-    /// Out of the way of what is solved without any.
+    /// Computes the forces. Kept out of line, so that mechanisms without loads do not pay for it.
     #[inline(never)]
     fn find_forces(&self, order: Order, work: &mut Workspace) {
         self.balance(order, work);
     }
 
-    /// The forces of a state that has been solved; none where they were not asked for.
+    /// Computes the forces of a solved state, or clears them if `order` does not include forces.
     #[inline(always)]
     fn balance<T: Number>(&self, order: Order, work: &mut Workspace<T>) {
         Balance::follow(self.balance.as_deref(), &self.engine, order, work);
     }
 
-    /// Solves at a coordinate of the range, from the motion as it is known there.
+    /// Solves at a coordinate of the range, starting from the data that the motion keeps there.
     fn run(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         if let Some(fold) = self.motion.fold_at(at) {
             self.aim(at, work);
@@ -412,7 +420,7 @@ impl Solver {
         self.run_between(at, order, work)
     }
 
-    /// The same between the ends of the range, where no group folds.
+    /// Solves between the ends of the range, where no group folds.
     #[inline(always)]
     fn run_between(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         self.motion.anchors.aim(&self.engine, at, work);
@@ -423,7 +431,7 @@ impl Solver {
         }
     }
 
-    /// The same of a motion with change points.
+    /// Solves in a motion with change points.
     #[inline(never)]
     fn run_past(&self, at: f64, order: Order, work: &mut Workspace) -> Condition {
         let passages = &self.motion.passages;
@@ -436,8 +444,8 @@ impl Solver {
         }
     }
 
-    /// Puts into the room what the motion tells of a coordinate: the signs of all groups, and where coupled
-    /// ones are looked for.
+    /// Writes the motion's data for a coordinate to the workspace: the signs of all groups, and the
+    /// starting values of the coupled groups.
     fn aim(&self, at: f64, work: &mut Workspace) {
         self.motion.anchors.aim(&self.engine, at, work);
         let passages = &self.motion.passages;
@@ -446,14 +454,14 @@ impl Solver {
         }
     }
 
-    /// Whether a series stands in for a group at a coordinate.
+    /// Returns `true` if a series replaces a group at a coordinate.
     fn is_passing(&self, at: f64) -> bool {
         let passages = &self.motion.passages;
         !passages.is_empty() && passages.is_near(&self.engine, at)
     }
 }
 
-/// The plan and the motion; the program behind them is long and says nothing to a reader.
+/// Formats the plan and the range. The program is left out because it is long and hard to read.
 impl std::fmt::Debug for Solver {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Solver")
@@ -463,7 +471,7 @@ impl std::fmt::Debug for Solver {
     }
 }
 
-/// A number of turns in degrees.
+/// Converts a number of turns to degrees.
 fn angle_turn(turns: usize) -> f64 {
     crate::angle::TURN * turns as f64
 }

@@ -1,8 +1,8 @@
-//! The constraint graph of a mechanism: which unknowns there are, and which equation ties which.
+//! Builds the constraint graph of a mechanism: the unknowns, and the equations between them.
 //!
-//! The unknowns are the two coordinates of every moving joint and one direction for every class of
-//! links that keep their angles to each other (links locked on slides). A link of k joints gives
-//! 2 (k - 1) equations, a slot one. Points that are no joints take no part: they ride.
+//! The unknowns are the two coordinates of every moving joint, and one direction for every class of
+//! links locked on slides, which keep their angles to each other. A link with k joints gives 2 (k -
+//! 1) equations, a slot one. Points that are not joints have no equations: they ride on a link.
 
 use super::following::Following;
 use super::frame::Frame;
@@ -11,30 +11,30 @@ use crate::{
     Vec2,
 };
 
-/// A class of links that keep their angles to each other.
+/// A class of links with constant angles between them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct ClassId(pub(super) usize);
 
 /// The class of the ground.
 pub(super) const GROUND: ClassId = ClassId(0);
 
-/// One scalar equation.
+/// A scalar equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum ScalarEquation {
     /// The distance of a link's joint from the link's centre joint.
     Along { link: LinkId, end: PointId },
-    /// The direction in which it is seen from there.
+    /// The direction from the link's centre joint to one of its other joints.
     Across { link: LinkId, end: PointId },
-    /// A point on its guide.
+    /// The condition that a point lies on its guide.
     Slot(SlideId),
     /// A driven slide's position along its guide.
     Push(SlideId),
-    /// The angle of a link that an input turns against another one.
+    /// The angle between a link driven by an input and another moving link.
     Elbow(LinkId),
 }
 
 impl ScalarEquation {
-    /// The element that the equation belongs to.
+    /// Returns the element to which the equation belongs.
     pub(super) fn element(self) -> ElementId {
         match self {
             ScalarEquation::Along { link, .. } | ScalarEquation::Across { link, .. } => {
@@ -46,7 +46,7 @@ impl ScalarEquation {
     }
 }
 
-/// One scalar unknown.
+/// A scalar unknown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ScalarUnknown {
     /// A coordinate of a joint.
@@ -55,11 +55,11 @@ pub(super) enum ScalarUnknown {
     Class(ClassId),
 }
 
-/// Two locks that hold one link at two different angles.
+/// Two locks that fix one link at two different angles.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LockClash {
     pub slide: SlideId,
-    /// The sine of the angle between them.
+    /// The sine of the angle between the two.
     pub misfit: f64,
 }
 
@@ -67,29 +67,29 @@ pub(super) struct LockClash {
 #[derive(Clone, Debug)]
 pub(super) struct Network<'m> {
     pub mechanism: &'m Mechanism,
-    /// In which its numbers are read.
+    /// The frame in which the mechanism's numbers are read.
     pub frame: Frame,
-    /// How the further inputs follow the driver, in their order.
+    /// How each further input follows the driver, in input order.
     followings: Vec<Following>,
-    /// What the length that is asked about does to every coordinate, in the place of the coordinates.
+    /// For derivatives by a length: the mechanism with each coordinate replaced by its derivative.
     slopes: Option<Mechanism>,
-    /// For every link, and for the ground behind them.
+    /// The class of every link, followed by that of the ground.
     pub class_of: Vec<ClassId>,
-    /// The direction of a link as seen from that of its class.
+    /// The unit vector of a link's direction relative to its class.
     pub turn: Vec<Vec2<Constant>>,
     pub members: Vec<Vec<LinkId>>,
-    /// The joint from which a link's other joints are seen.
+    /// The joint from which a link's other joints are measured.
     centre: Vec<Option<PointId>>,
     joint: Vec<bool>,
     pub rows: Vec<ScalarEquation>,
-    /// Locks that repeat others, and agree with them as far as it matters.
+    /// Redundant locks that agree with the others within the tolerance.
     pub repeated_locks: Vec<SlideId>,
-    /// The largest sine by which these disagree.
+    /// The largest sine by which these locks disagree.
     pub locks_apart: f64,
     pub clash: Option<LockClash>,
-    /// By what sine two locks of one link may disagree.
+    /// The maximum sine by which two locks of one link may disagree.
     slack: f64,
-    /// Whether lengths are to be changed later: a point at another one does not stay there.
+    /// Whether lengths change later, so that coincident points may separate.
     pub is_varied: bool,
 }
 
@@ -119,7 +119,7 @@ impl<'m> Network<'m> {
         network
     }
 
-    /// The same, asked about one length: every place has its derivative by it.
+    /// Returns the network with derivatives by one length: each position carries its slope.
     pub(super) fn by_length(self, length: Length) -> Self {
         Network {
             slopes: Some(self.mechanism.slopes(length)),
@@ -127,7 +127,7 @@ impl<'m> Network<'m> {
         }
     }
 
-    /// The same, to be made into what lengths are changed of: see [`super::Varied`].
+    /// Returns the network for variable lengths: see [`super::Varied`].
     pub(super) fn varied(self) -> Self {
         Network {
             is_varied: true,
@@ -135,13 +135,14 @@ impl<'m> Network<'m> {
         }
     }
 
-    /// The place of a point on a link, in the solver's unit.
+    /// Returns the position of a point on a link, in the solver's unit; `None` if the link does not
+    /// have it.
     pub(super) fn local(&self, link: LinkId, point: PointId) -> Option<Vec2<Constant>> {
         let place = self.frame.member(self.link(link)?.member(point)?);
         Some(self.sloped(place, |m| m.links().get(link.index())?.local(point)))
     }
 
-    /// All points of a link with their places on it: each found at once, however many there are.
+    /// Returns all points of a link with their positions on it, without a search for each.
     pub(super) fn places(
         &self,
         link: LinkId,
@@ -154,7 +155,7 @@ impl<'m> Network<'m> {
         })
     }
 
-    /// From one point of a link to another, in the frame of the link.
+    /// Returns the vector between two points of a link, in the link's frame.
     pub(super) fn between(
         &self,
         link: LinkId,
@@ -164,26 +165,27 @@ impl<'m> Network<'m> {
         Some(self.local(link, to)? - self.local(link, from)?)
     }
 
-    /// The place of a ground point in the solver's frame; `None` of one that moves.
+    /// Returns the position of a ground point in the solver's frame; `None` for a moving point.
     pub(super) fn fixed(&self, point: PointId) -> Option<Vec2<Constant>> {
         let fixed = |mechanism: &Mechanism| mechanism.point(point).ground;
         let place = self.frame.inner(fixed(self.mechanism)?);
         Some(self.sloped(place, fixed))
     }
 
-    /// The point that a guide runs through, in the frame of what carries it.
+    /// Returns the point through which a guide runs, in the frame of the guide's body.
     pub(super) fn through(&self, slide: SlideId) -> Vec2<Constant> {
         let given = self.mechanism.slide(slide);
         let place = match (given.on, self.mechanism.polar_through(given)) {
             (Body::Ground, _) => self.frame.inner(given.through),
-            // As well known as the point that it was named after.
+            // It is as accurate as the point after which it is named.
             (Body::Link(_), Some(member)) => self.frame.member(member),
             (Body::Link(_), None) => self.frame.local(given.through),
         };
         self.sloped(place, |m| Some(m.slide(slide).through))
     }
 
-    /// A place with what the length that is asked about does to it: per unit of the scene's length.
+    /// Adds the derivative by the selected length, if any, to a position: per unit of the scene's
+    /// length.
     fn sloped(
         &self,
         place: Vec2<Constant>,
@@ -196,12 +198,12 @@ impl<'m> Network<'m> {
         Vec2::new(place.x.with_slope(by.x), place.y.with_slope(by.y))
     }
 
-    /// The ground as a body: the link behind the last one.
+    /// Returns the ground as a body: its index follows that of the last link.
     pub(super) fn ground(&self) -> LinkId {
         LinkId::new(self.mechanism.links().len())
     }
 
-    /// The body of a guide.
+    /// Returns the body of a guide.
     pub(super) fn body(&self, body: Body) -> LinkId {
         match body {
             Body::Ground => self.ground(),
@@ -213,7 +215,7 @@ impl<'m> Network<'m> {
         self.mechanism.links().get(link.index())
     }
 
-    /// The joint from which a body's other joints are seen; the ground has none.
+    /// Returns the joint from which a body's other joints are measured; `None` for the ground.
     pub(super) fn centre(&self, body: LinkId) -> Option<PointId> {
         self.centre.get(body.index()).copied().flatten()
     }
@@ -230,18 +232,18 @@ impl<'m> Network<'m> {
         self.mechanism.point(point).ground.is_some()
     }
 
-    /// The joints of a link, with their local coordinates.
+    /// Returns the joints of a link, with their local coordinates.
     pub(super) fn joints(&self, link: LinkId) -> impl Iterator<Item = crate::Member> + '_ {
         let members = self.link(link).map_or(&[][..], |l| &l.members);
         members.iter().copied().filter(|m| self.is_joint(m.point))
     }
 
-    /// The direction of `link` as seen from `other` of the same class.
+    /// Returns the direction of `link` relative to `other`, of the same class.
     pub(super) fn turn_between(&self, link: LinkId, other: LinkId) -> Vec2<Constant> {
         self.turn[link.index()].turned(self.turn[other.index()].conj())
     }
 
-    /// Walks the locks from body to body and gives each its class and its angle in the class.
+    /// Walks the locks from body to body, and sets each body's class and its angle in the class.
     fn find_classes(&mut self) {
         let locks = self.locks();
         let mut seen = vec![false; self.class_of.len()];
@@ -276,7 +278,7 @@ impl<'m> Network<'m> {
         }
     }
 
-    /// For every body the bodies locked to it, the direction in which each is seen, and the slide.
+    /// Returns for each body the bodies locked to it, with their relative direction and the slide.
     fn locks(&self) -> Vec<Vec<(LinkId, Vec2<Constant>, SlideId)>> {
         let mut locks = vec![Vec::new(); self.class_of.len()];
         for slide in self.mechanism.slide_ids() {
@@ -291,7 +293,7 @@ impl<'m> Network<'m> {
         locks
     }
 
-    /// A lock between two bodies whose angle is settled already.
+    /// Records a lock between two bodies whose angle is already determined.
     fn note_repeated_lock(&mut self, slide: SlideId, misfit: f64) {
         if misfit.abs() > self.slack {
             self.clash = Some(LockClash { slide, misfit });
@@ -313,7 +315,7 @@ impl<'m> Network<'m> {
         }
         self.joint = meetings.iter().map(|&m| m >= 2).collect();
         for link in mechanism.links() {
-            // A link that hangs on nothing still has a place to be found.
+            // A link without any joint still needs a position.
             let hangs = link.members.iter().any(|m| self.joint[m.point.index()]);
             if let (false, Some(first)) = (hangs, link.members.first()) {
                 self.joint[first.point.index()] = true;
@@ -334,7 +336,7 @@ impl<'m> Network<'m> {
 
     fn list_rows(&mut self) {
         let mut rows = Vec::new();
-        // Of equations that repeat each other the last ones are set aside.
+        // Among redundant equations the last ones are set aside.
         let mut links: Vec<LinkId> = self.mechanism.link_ids().collect();
         links.sort_by_key(|&link| self.mechanism.link_rank(link));
         for link in links {
@@ -358,12 +360,13 @@ impl<'m> Network<'m> {
         self.rows = rows;
     }
 
-    /// The directions that an input keeps apart: of the link that it turns, and of the one that its motor sits on.
+    /// Returns the two bodies between which an input sets the angle: the link it turns, and the one
+    /// that carries its motor.
     pub(super) fn elbow(&self, link: LinkId) -> [LinkId; 2] {
         [link, self.body(self.mechanism.turned_from(link))]
     }
 
-    /// Whether a class's direction is given from the start: the ground's, and that of a driven link.
+    /// Returns `true` if the direction of a class is known: that of the ground or of a driven link.
     pub(super) fn is_given(&self, class: ClassId) -> bool {
         class == GROUND
             || self
@@ -372,7 +375,7 @@ impl<'m> Network<'m> {
                 .any(|input| self.gives(input, class))
     }
 
-    /// Whether an input gives the direction of a class.
+    /// Returns `true` if an input sets the direction of a class.
     fn gives(&self, input: Input, class: ClassId) -> bool {
         match input {
             Input::Turn(link) => {
@@ -382,14 +385,15 @@ impl<'m> Network<'m> {
         }
     }
 
-    /// A link that an input turns against one to which it keeps its angle.
+    /// Returns a link turned by an input relative to a body with which its angle is locked.
     pub(super) fn locked_elbow(&self) -> Option<[LinkId; 2]> {
         let elbows = self.mechanism.elbows().map(|(link, _)| self.elbow(link));
         let mut elbows = elbows.into_iter();
         elbows.find(|&[link, from]| self.class(link) == self.class(from))
     }
 
-    /// A link whose direction is given, though another input gives it, or it cannot turn.
+    /// Returns a link whose direction is set by an input though another input sets it, or it cannot
+    /// turn.
     pub(super) fn given_twice(&self) -> Option<LinkId> {
         let mut given = vec![GROUND];
         self.mechanism
@@ -407,14 +411,15 @@ impl<'m> Network<'m> {
             })
     }
 
-    /// How an input follows the driver; `None` of the driver itself.
+    /// Returns how an input follows the driver; `None` for the driver itself.
     pub(super) fn following(&self, input: Input) -> Option<&Following> {
         let mut timed = self.mechanism.timed().iter();
         self.followings
             .get(timed.position(|timed| timed.input == input)?)
     }
 
-    /// The links that further inputs turn against the ground, and how these follow the driver.
+    /// Returns the links that further inputs turn relative to the ground, with the way they follow
+    /// the driver.
     pub(super) fn timed_links(&self) -> impl Iterator<Item = (LinkId, &Following)> + '_ {
         let timed = self.mechanism.timed().iter().zip(&self.followings);
         timed.filter_map(|(timed, following)| match timed.input {
@@ -423,7 +428,7 @@ impl<'m> Network<'m> {
         })
     }
 
-    /// The unknowns of an equation: each point stands for its two coordinates.
+    /// Returns the unknowns of an equation. Each point represents its two coordinates.
     pub(super) fn unknowns(&self, row: ScalarEquation) -> Vec<ScalarUnknown> {
         let (body, point) = match row {
             ScalarEquation::Along { link, end } | ScalarEquation::Across { link, end } => {
@@ -451,8 +456,10 @@ impl<'m> Network<'m> {
         unknowns
     }
 
-    /// How readily an equation is set aside where there are too many: the length of a bar inside
-    /// another body first, since it cannot but repeat that body's; then that of any bar, then a slot, since what is left of the element can then still be placed.
+    /// Returns how readily an equation is set aside if there are too many. First comes the length
+    /// of a bar inside another body, since it must repeat that body's lengths. The length of any
+    /// other bar is second, and a slot is third, since the rest of the element can still be placed
+    /// without it.
     pub(super) fn readiness(&self, row: ScalarEquation) -> u8 {
         match row {
             ScalarEquation::Along { link, .. } if self.is_strut(link) => 4,
@@ -463,7 +470,7 @@ impl<'m> Network<'m> {
         }
     }
 
-    /// Whether a bar's two joints belong to one other body.
+    /// Returns `true` if both joints of a bar belong to one other body.
     fn is_strut(&self, link: LinkId) -> bool {
         let ends: Vec<PointId> = self.joints(link).map(|m| m.point).collect();
         let [a, b] = ends[..] else { return false };
@@ -474,7 +481,7 @@ impl<'m> Network<'m> {
         is_inner && self.is_bar(link)
     }
 
-    /// Whether a link is nothing but a distance between two joints.
+    /// Returns `true` if a link is only a distance between two joints.
     pub(super) fn is_bar(&self, link: LinkId) -> bool {
         let carries_guide = self
             .mechanism
@@ -493,8 +500,9 @@ impl<'m> Network<'m> {
     }
 }
 
-/// By what sine two locks of one link may disagree: by the rounding of a few products of unit vectors, or
-/// by what the misfit that a scene accepts is at the end of its longest length.
+/// Returns the maximum sine by which two locks of one link may disagree. It is the rounding error
+/// of a few products of unit vectors, or the scene's accepted misfit at the end of the longest
+/// length if larger.
 fn slack(mechanism: &Mechanism, frame: &Frame) -> f64 {
     const ROUNDING: f64 = 16.0 * f64::EPSILON;
     let accepted = frame.length(mechanism.misfit()) / frame.longest;

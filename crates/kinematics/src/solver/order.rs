@@ -1,4 +1,5 @@
-//! Which equation settles which unknown, and in which order: matching and strong components.
+//! Orders the equations: which equation determines which unknown (matching), and in which order
+//! (strong components).
 
 use super::fault::Fault;
 use super::network::{Network, ScalarEquation, ScalarUnknown};
@@ -7,27 +8,27 @@ use petgraph::algo::{kosaraju_scc, maximum_matching};
 use petgraph::graph::{DiGraph, NodeIndex, UnGraph};
 use std::collections::{HashMap, HashSet};
 
-/// A smallest set of unknowns that must be settled at once, with its equations.
+/// A minimal set of unknowns that must be solved together, with its equations.
 #[derive(Clone, Debug, Default)]
 pub(super) struct CoupledBlock {
     pub unknowns: Vec<ScalarUnknown>,
     pub rows: Vec<ScalarEquation>,
 }
 
-/// The blocks in the order in which they can be settled.
+/// The blocks in solving order.
 #[derive(Clone, Debug)]
 pub(super) struct Ordering {
     pub blocks: Vec<CoupledBlock>,
     /// Equations that repeat others.
     pub set_aside: Vec<ScalarEquation>,
-    /// These, and those that could have been set aside in their stead: what stands over its unknowns.
+    /// The equations set aside and those that could replace them: the over-determined part.
     pub over: Vec<ScalarEquation>,
 }
 
-/// The unknowns as scalars: a point twice, a class once.
+/// The unknowns as scalars: two for a point, one for a class.
 struct Scalars {
     list: Vec<ScalarUnknown>,
-    /// For every equation its scalars.
+    /// The scalars of each equation.
     of_row: Vec<Vec<usize>>,
 }
 
@@ -39,7 +40,7 @@ impl Scalars {
         };
         let mut first = HashMap::new();
         for link in network.mechanism.link_ids() {
-            // A class whose direction nothing asks for is an unknown all the same.
+            // A class is an unknown even if no equation contains its direction.
             let class = network.class(link);
             if !network.is_given(class) {
                 scalars.number(ScalarUnknown::Class(class), &mut first);
@@ -87,15 +88,15 @@ fn width(unknown: ScalarUnknown) -> usize {
     }
 }
 
-/// For every scalar the equation that settles it, for every equation its scalar.
+/// A matching: for each scalar the equation that determines it, for each equation its scalar.
 struct Matching {
     row_of: Vec<Option<usize>>,
     scalar_of: Vec<Option<usize>>,
 }
 
 impl Matching {
-    /// Gives each equation on the path to `gone` the scalar of the next: the free one at its
-    /// beginning is settled, the one at its end is free.
+    /// Shifts the matching along the alternating path to `gone`: each equation takes the scalar of
+    /// the next one. The free equation at the start becomes matched, and `gone` becomes free.
     fn hand_on(&mut self, part: &[Reached], gone: usize) {
         self.scalar_of[part[gone].row] = None;
         let mut taken = part[gone];
@@ -112,7 +113,7 @@ impl Matching {
 #[derive(Clone, Copy, Debug)]
 struct Reached {
     row: usize,
-    /// The place in the list of the equation before it, and the scalar between them.
+    /// The index of the preceding equation in the list, and the scalar between the two.
     by: Option<(usize, usize)>,
 }
 
@@ -141,12 +142,13 @@ fn matching(scalars: &Scalars) -> Matching {
 
 /// Orders the equations of a mechanism.
 ///
-/// Where equations are too many, those easiest to set aside go, one by one, until the rest can all
-/// be matched (the over-determined part of Dulmage and Mendelsohn, 1958). Which of them really repeat
-/// others is a matter of numbers that the structure does not show: those `preferred` are set aside first.
+/// If there are too many equations, those easiest to set aside are removed one by one, until all
+/// others can be matched (the over-determined part of Dulmage and Mendelsohn, 1958). The structure
+/// alone does not show which of them really are redundant. Therefore those in `preferred` are set
+/// aside first.
 ///
 /// # Errors
-/// [`Fault::Mobility`] where unknowns remain that no equation settles.
+/// Returns [`Fault::Mobility`] if unknowns remain that no equation determines.
 pub(super) fn ordering(
     network: &Network<'_>,
     preferred: &[ScalarEquation],
@@ -156,7 +158,7 @@ pub(super) fn ordering(
     let (mut set_aside, mut over) = (Vec::new(), Vec::new());
     let readiness = |row: ScalarEquation| (preferred.contains(&row), network.readiness(row));
     for free in 0..network.rows.len() {
-        // One that was set aside for an earlier one is met again here.
+        // An equation set aside for an earlier one occurs again here.
         if matched.scalar_of[free].is_some() || set_aside.contains(&network.rows[free]) {
             continue;
         }
@@ -188,7 +190,7 @@ pub(super) fn ordering(
     })
 }
 
-/// The equations that compete with a free one: those on alternating paths from it.
+/// Returns the equations that compete with a free one: all on alternating paths from it.
 fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<Reached> {
     let mut seen = HashSet::from([free]);
     let mut part = vec![Reached {
@@ -208,7 +210,7 @@ fn over_determined(scalars: &Scalars, matched: &Matching, free: usize) -> Vec<Re
     part
 }
 
-/// The links that the unknowns on alternating paths from the loose ones belong to.
+/// Returns the links of the unknowns on alternating paths from the undetermined ones.
 fn floating(
     network: &Network<'_>,
     scalars: &Scalars,
@@ -244,7 +246,7 @@ fn floating(
     network.mechanism.link_ids().filter(floats).collect()
 }
 
-/// The strong components of the dependencies, each before those that need it.
+/// Returns the strong components of the dependencies, each before those that depend on it.
 fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<CoupledBlock> {
     let mut graph = DiGraph::<(), ()>::new();
     let nodes: Vec<NodeIndex> = scalars.list.iter().map(|_| graph.add_node(())).collect();
@@ -253,8 +255,8 @@ fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<C
             graph.add_edge(nodes[s], nodes[other], ());
         }
     }
-    // Kosaraju's way needs no recursion, so that a chain of thousands of dyads does not exhaust
-    // the stack; it lists the components in reverse topological order.
+    // Kosaraju's algorithm needs no recursion here, so a chain of thousands of dyads does not
+    // exhaust the stack. It lists the components in reverse topological order.
     let mut blocks = Vec::new();
     for component in kosaraju_scc(&graph) {
         let mut block = CoupledBlock::default();
@@ -273,7 +275,7 @@ fn blocks(network: &Network<'_>, scalars: &Scalars, matched: &Matching) -> Vec<C
     blocks
 }
 
-/// The elements of a list of equations, each once.
+/// Returns the elements of a list of equations, without duplicates.
 pub(super) fn elements(rows: &[ScalarEquation]) -> Vec<ElementId> {
     let mut elements = Vec::new();
     for row in rows {

@@ -1,4 +1,4 @@
-//! The plan of a mechanism: groups in their order, for people; steps, for the solver.
+//! Defines the plan of a mechanism: groups in solving order for users, steps for the solver.
 
 use super::coupled::Coupled;
 use super::elements::Step;
@@ -24,7 +24,7 @@ pub enum GroupKind {
     Prp,
     /// Pin, slide, slide: two lines.
     Rpp,
-    /// A coupled group, by Newton.
+    /// A coupled group, solved by Newton's method.
     Coupled {
         /// The number of unknowns solved for at once.
         unknowns: usize,
@@ -32,7 +32,8 @@ pub enum GroupKind {
 }
 
 impl GroupKind {
-    /// The class of a dyad by its joints from pivot to pivot: R turns, P slides.
+    /// Returns the class of a dyad by its joints from pivot to pivot: R is a revolute joint, P a
+    /// prismatic one.
     #[must_use]
     pub fn class(self) -> Option<&'static str> {
         match self {
@@ -45,7 +46,7 @@ impl GroupKind {
         }
     }
 
-    /// How many unknowns a coupled group solves for at once.
+    /// Returns the number of unknowns that a coupled group solves for at once.
     #[must_use]
     pub fn unknowns(self) -> Option<usize> {
         match self {
@@ -55,18 +56,19 @@ impl GroupKind {
     }
 }
 
-/// Which of its assemblies a group is to take.
+/// The assembly that a group is to take.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Pick {
-    /// Of a dyad with two links: its joint lies on the left of the line from the pivot of its first
-    /// link to that of its second, first as in the mechanism. Of one with a guide: the joint lies
-    /// further along the guide than the foot of the link's pivot, or the arm's guide runs from its
-    /// pivot towards the pin. Where the dyad is at a change point, it will be so just beyond it, the
-    /// driver's coordinate growing.
+    /// The positive side of a dyad. For two links: the joint lies on the left of the line from the
+    /// pivot of the first link to that of the second, in the mechanism's order. For a link and a
+    /// guide: the joint lies further along the guide than the foot of the link's pivot. For an arm:
+    /// its guide runs from its pivot towards the pin. At a change point, this describes the
+    /// position just past it, as the driver's coordinate increases.
     Plus,
-    /// The other one.
+    /// The negative side of a dyad.
     Minus,
-    /// Of a coupled group, counted from 1 in the order of [`super::Solver::choices`].
+    /// The number of a coupled group's assembly, counted from 1 in the order of
+    /// [`super::Solver::choices`].
     Number(usize),
 }
 
@@ -75,21 +77,22 @@ id!(
     GroupId
 );
 
-/// A smallest set of links and points that is solved at once.
+/// A minimal set of links and points solved together.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// How it is solved.
+    /// The method by which it is solved.
     pub kind: GroupKind,
-    /// The point that names it: the inner joint of a dyad.
+    /// The point after which it is named: the inner joint of a dyad.
     pub point: Option<PointId>,
-    /// The links that it places.
+    /// The links placed by the group.
     pub links: Vec<LinkId>,
-    /// The points that it places, riders and centres of mass included.
+    /// The points placed by the group, including riders and centres of mass.
     pub points: Vec<PointId>,
 }
 
 impl Group {
-    /// What names it: the joint of a dyad, the first of a coupled group, the arm of an RPR.
+    /// Returns the element after which the group is named: the joint of a dyad, the first joint of
+    /// a coupled group, the arm of an RPR.
     #[must_use]
     pub fn name(&self) -> Option<ElementId> {
         let arm = self.links.first().map(|&link| ElementId::Link(link));
@@ -100,7 +103,7 @@ impl Group {
         }
     }
 
-    /// Whether it can have more than one assembly.
+    /// Returns `true` if the group can have more than one assembly.
     #[must_use]
     pub fn has_choices(&self) -> bool {
         !matches!(
@@ -115,17 +118,17 @@ impl Group {
 pub struct Plan {
     /// The groups by [`GroupId`], the driver's first.
     pub groups: Vec<Group>,
-    /// Degrees of freedom by rank: as many as there are inputs for a mechanism that opens.
+    /// Degrees of freedom by rank: the number of inputs, for a mechanism that opens.
     pub mobility: usize,
-    /// Elements with a constraint that repeats others and was set aside.
+    /// Elements with a redundant constraint that was set aside.
     pub redundant: Vec<ElementId>,
 }
 
 impl Plan {
-    /// The groups of a mechanism, whether or not it can be assembled.
+    /// Plans a mechanism, whether or not it can be assembled.
     ///
     /// # Errors
-    /// What makes the mechanism impossible by its structure: see [`Fault`].
+    /// Returns the reason why the structure of the mechanism is impossible: see [`Fault`].
     pub fn of(mechanism: &Mechanism) -> Result<Plan, Fault> {
         let network = Network::new(mechanism, Frame::of(mechanism));
         let ordering = super::order::ordering(&network, &[])?;
@@ -134,18 +137,18 @@ impl Plan {
         Ok(plan)
     }
 
-    /// One group; `None` where the id is that of another plan.
+    /// Returns a group; `None` if the id belongs to another plan.
     #[must_use]
     pub fn group(&self, id: GroupId) -> Option<&Group> {
         self.groups.get(id.index())
     }
 
-    /// The groups with their ids, in the order in which they are solved.
+    /// Returns the groups with their ids, in solving order.
     pub fn numbered(&self) -> impl Iterator<Item = (GroupId, &Group)> {
         (0..).map(GroupId::new).zip(&self.groups)
     }
 
-    /// The group of a name, if there is one with choices.
+    /// Returns the group with choices of this name, if there is one.
     #[must_use]
     pub fn named(&self, name: ElementId) -> Option<GroupId> {
         let mut groups = self.numbered();
@@ -154,14 +157,14 @@ impl Plan {
     }
 }
 
-/// A constraint that must hold whether or not the steps are built on it.
+/// A constraint that must hold even if the steps are not built on it.
 #[derive(Clone, Debug)]
 pub(super) struct WatchedConstraint {
     pub element: ElementId,
     pub gauge: Gauge,
 }
 
-/// How far a watched constraint is from holding.
+/// The equation by which the misfit of a watched constraint is measured.
 #[derive(Clone, Debug)]
 pub(super) enum Gauge {
     /// The distance of two points.
@@ -170,12 +173,12 @@ pub(super) enum Gauge {
         to: PointId,
         length: Constant,
     },
-    /// The direction in which a link sees one of its points from another.
+    /// The direction from one of a link's points to another.
     Direction {
         from: PointId,
         to: PointId,
         link: LinkId,
-        /// A unit vector in the link's frame; not finite where the points are one.
+        /// A unit vector in the link's frame; not finite if the points coincide.
         along: Vec2<Constant>,
     },
     /// A point on a line of a body.
@@ -187,32 +190,32 @@ pub(super) enum Gauge {
     Pushed {
         point: PointId,
         line: super::elements::GuideLine,
-        /// How the input follows the driver; none where it is the driver.
+        /// How the input follows the driver; `None` for the driver itself.
         following: Option<Following>,
     },
-    /// A link at the coordinate of its input from the one that its motor sits on.
+    /// A link at the coordinate of its input relative to the link that carries its motor.
     Turned {
         link: LinkId,
         from: LinkId,
-        /// How the input follows the driver; none where it is the driver.
+        /// How the input follows the driver; `None` for the driver itself.
         following: Option<Following>,
     },
 }
 
-/// A slide that holds a joint on a known line.
+/// A slide that constrains a joint to a known line.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Hold {
     pub slide: SlideId,
     /// The link between the joint and the slide, if the joint is not the sliding point itself.
     pub carrier: Option<LinkId>,
-    /// Whether it is the guide that moves with the joint, over a point that is known.
+    /// Whether the guide moves with the joint, over a known point.
     pub is_yoke: bool,
 }
 
-/// A link on the way of an arm that spans several links of one class: from joint to joint.
+/// A link in the chain of an arm that spans several links of one class, from joint to joint.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Leg {
-    /// The link at the arm's end, by which the arm is known.
+    /// The link at the arm's end, which identifies the arm.
     pub arm: LinkId,
     pub link: LinkId,
     pub from: PointId,
@@ -220,7 +223,8 @@ pub(super) struct Leg {
 }
 
 impl Program {
-    /// Hands out every place that it was made of, always in the same order, and follows what becomes of them.
+    /// Calls `place` for every place from which the program was built, always in the same order,
+    /// and updates the values derived from it.
     pub(super) fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
         self.points.iter_mut().for_each(&mut *place);
         for step in &mut self.steps {
@@ -229,19 +233,21 @@ impl Program {
     }
 }
 
-/// What the solver runs: the steps in order, and what they start from.
+/// The program that the solver runs: the steps in order, and their constants.
 #[derive(Clone, Debug)]
 pub(super) struct Program {
     pub steps: Vec<Step>,
-    /// The first step of every group, and the end.
+    /// The index of the first step of every group, and the number of steps.
     pub group_starts: Vec<usize>,
     pub coupled: Vec<Coupled>,
-    /// The places of constant points and the directions of constant links; all others are overwritten.
+    /// The positions of constant points and the directions of constant links. All others are
+    /// overwritten.
     pub points: Vec<Vec2<Constant>>,
     pub links: Vec<Vec2<Constant>>,
     pub watches: Vec<WatchedConstraint>,
-    /// By their places among the steps, in order: through what those with a guide hold their joint.
+    /// The guide constraints of steps with a guide, by step index in increasing order.
     pub holds: Vec<(usize, Hold)>,
-    /// Likewise: the links of their arms, the last one of each arm first, where these are several.
+    /// The legs of arms that span several links, by step index in increasing order. The last leg of
+    /// each arm comes first.
     pub legs: Vec<(usize, Leg)>,
 }

@@ -10,7 +10,7 @@ use super::workspace::Workspace;
 use crate::arithmetic::Sharp;
 use crate::{Ball, Number, Vec2};
 
-/// Room for such a run, and its result.
+/// The memory of such a run, and its result.
 pub(super) struct ProvedRun<'e> {
     pub(super) engine: &'e Engine,
     pub(super) sharp: Workspace<Sharp>,
@@ -30,8 +30,8 @@ impl<'e> ProvedRun<'e> {
         }
     }
 
-    /// Runs the first steps, with their derivatives or without; whether all could be proved. In `state` they stand in
-    /// doubles, near the coordinate.
+    /// Runs the first `steps` steps, with derivatives if `has_rates`. Returns `true` if all could
+    /// be proved. `state` contains the solution in doubles, near the coordinate.
     pub(super) fn run(&mut self, steps: usize, at: Sharp, has_rates: bool, state: &State) -> bool {
         for (sign, &of) in self.sharp.state.signs.iter_mut().zip(&state.signs) {
             *sign = Sharp::exactly(of);
@@ -43,7 +43,7 @@ impl<'e> ProvedRun<'e> {
         })
     }
 
-    /// A dyad's measure at a coordinate, from its inputs: it may be open itself.
+    /// Returns a dyad's measure at a coordinate, from its inputs. The dyad itself may be open.
     pub(super) fn measure(&mut self, step: usize, group: usize, at: Sharp) -> Sharp {
         let (q, direction) = self.engine.coordinate(at);
         let step = &self.engine.program.steps[step];
@@ -77,7 +77,7 @@ impl<'e> ProvedRun<'e> {
         outcome == StepOutcome::Done
     }
 
-    /// Copies what a step has placed to the balls.
+    /// Copies the results of a step to the balls.
     fn widen(&mut self, step: usize) -> bool {
         let (from, to) = (&self.sharp.state, &mut self.balls.state);
         let vector = |v: Vec2<Sharp>| v.map(Ball::from);

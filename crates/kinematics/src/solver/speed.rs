@@ -1,4 +1,4 @@
-//! The same motion at another speed of the driver.
+//! Changes the speed of the driver without solving the geometry again.
 
 use super::engine::rates;
 use super::state::{Rates, State};
@@ -9,10 +9,10 @@ use crate::{Constant, DriverMoment, Input, Number};
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
 impl Solver {
-    /// The same solver with another speed and acceleration of its driver, in rad/s and rad/s^2 or in the
-    /// scene's length unit per s and s^2. The geometry is not solved anew: with a speed of 1 and no
-    /// acceleration the rates are derivatives by the driver's coordinate, and with the opposite speed
-    /// they are those of the way back.
+    /// Returns a copy of the solver with another speed and acceleration of its driver, in rad/s and
+    /// rad/s^2, or in the scene's length unit per s and s^2. The geometry is not solved again. With
+    /// a speed of 1 and no acceleration the rates are derivatives by the driver's coordinate. With
+    /// the opposite speed they are those of the reverse motion.
     #[must_use]
     pub fn at_speed(&self, speed: f64, acceleration: f64) -> Solver {
         let mechanism = self.mechanism.at_speed(speed, acceleration);
@@ -23,8 +23,9 @@ impl Solver {
         }
     }
 
-    /// From the next solution on, the driver of these states passes with the speed and the acceleration of a moment
-    /// of its motion over time; so does that of an enclosure, which has to be told too. Allocates nothing.
+    /// Sets the driver's speed and acceleration to those of a moment of its motion over time,
+    /// starting with the next solution. An enclosure needs the same call for its own workspace.
+    /// Allocates nothing.
     pub fn drive<T: Number>(&self, work: &mut Workspace<T>, moment: &DriverMoment) {
         let given = [moment.speed, moment.acceleration];
         let [at, off @ ..] = moment.off;
@@ -41,7 +42,7 @@ impl Solver {
         let rates = [rates[0].widened(off[0]), rates[1].widened(off[1])];
         work.errors.driven = at;
         work.state.pass(rates);
-        // What bounds are found by goes with it.
+        // The states that the bounds are computed from need the same rates.
         if let Some(sharp) = &mut work.errors.sharp {
             sharp.state.pass(rates);
         }
@@ -55,7 +56,7 @@ impl Solver {
 }
 
 impl<T: Number> State<T> {
-    /// The driver has this speed and acceleration, in the solver's units.
+    /// Sets the driver's speed and acceleration, in the solver's units.
     pub(super) fn pass(&mut self, [speed, acceleration]: [Constant; 2]) {
         self.rates = Rates::new(speed, acceleration);
         self.length_rates = self.rates.times(self.frame.scale);

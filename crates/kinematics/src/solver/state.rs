@@ -1,4 +1,4 @@
-//! The result of a solve: kinematic coefficients inside, figures in the scene's units outside.
+//! Holds the result of a solve: kinematic coefficients inside, values in the scene's units outside.
 
 use super::Order;
 use super::demand::Marks;
@@ -7,25 +7,26 @@ use super::frame::Frame;
 use crate::{Constant, LinkId, Number, PointId, SlideId, Vec2};
 use std::sync::Arc;
 
-/// What a state is.
+/// The kind of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[must_use = "a state may have no rates, or nothing at all"]
 pub enum Condition {
-    /// Solved.
+    /// An ordinary solution.
     Ok,
-    /// Where two assemblies meet: values are limits.
+    /// A point where two assemblies meet. Values are limits.
     ChangePoint,
-    /// A limit of the motion: positions exist, rates do not.
+    /// A limit of the motion. Positions exist, rates do not.
     DeadPoint,
-    /// The mechanism cannot be here: no values.
+    /// No assembly at this coordinate. There are no values.
     NoAssembly,
 }
 
 /// A point's position and its first two derivatives by the driver's coordinate.
 ///
-/// Aligned, so that no vector instruction reads or writes across the end of a page of memory: some processors
-/// take as long for that as for a whole state. Rates are apart, so that none reads the one's y and the other's x at
-/// once: what has just been written in two pieces is not to be had as one before it is in the cache.
+/// Aligned, so that no vector instruction reads or writes across the end of a memory page: on some
+/// processors that takes as long as computing a whole state. The order of the fields keeps the
+/// rates apart, so that no load spans the y of one and the x of the other. Such a load of two
+/// recent stores has to wait until both are in the cache.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(C, align(64))]
 pub(super) struct PointState<T = f64> {
@@ -44,7 +45,7 @@ pub(super) struct LinkState<T = f64> {
 }
 
 impl<T: Number> PointState<T> {
-    /// A point that does not move.
+    /// Creates a point at rest.
     pub(super) fn fixed(p: Vec2<T>) -> Self {
         PointState {
             p,
@@ -54,7 +55,7 @@ impl<T: Number> PointState<T> {
 }
 
 impl<T: Number> LinkState<T> {
-    /// A body that does not turn.
+    /// Creates a body at rest.
     pub(super) fn fixed(d: Vec2<T>) -> Self {
         LinkState {
             d,
@@ -63,7 +64,7 @@ impl<T: Number> LinkState<T> {
     }
 }
 
-/// A slide's position along its guide and its first two derivatives, and the guide itself.
+/// A slide's position along its guide, its first two derivatives, and the guide itself.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct TravelState<T = f64> {
     pub s: T,
@@ -72,7 +73,7 @@ pub(super) struct TravelState<T = f64> {
     pub guide: LinkState<T>,
 }
 
-/// What turns coefficients into rates: q', q'^2 and q'' of the driver, in radians or scaled lengths.
+/// The driver's q', q'^2 and q'', in radians or scaled lengths. They convert coefficients to rates.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Rates {
     pub(super) speed: Constant,
@@ -82,38 +83,39 @@ pub(super) struct Rates {
 
 /// Position, velocity and acceleration of every point and link, in the scene's units and frame.
 ///
-/// Velocities and accelerations are for the driver's speed and acceleration: with x' and x'' the
-/// kinematic coefficients of first and second order, v = x' q' and a = x'' q'^2 + x' q''.
+/// Velocities and accelerations are for the driver's speed and acceleration. With the kinematic
+/// coefficients x' and x'' of first and second order, v = x' q' and a = x'' q'^2 + x' q''.
 ///
-/// What there is not reads as `None`: everything without an assembly, rates at a dead point, what is of a
-/// higher order than was solved, and what a solver leaves out ([`Solver::only`](super::Solver::only)).
-/// Two states are equal where everything that can be read is.
+/// Missing values read as `None`: all values without an assembly, rates at a dead point, values of
+/// a higher order than solved, and elements left out by [`Solver::only`](super::Solver::only). Two
+/// states are equal if all readable values are.
 ///
-/// `T` is the arithmetic: doubles for figures, balls for figures with a bound, lanes for the figures
-/// of several states at once.
+/// `T` is the arithmetic: doubles for plain values, balls for values with an error bound, lanes for
+/// the values of several states at once.
 #[derive(Clone, Debug)]
 pub struct State<T = f64> {
     pub(super) condition: Condition,
-    /// How far it has been solved.
+    /// The order to which it is solved.
     pub(super) order: Order,
     pub(super) at: T,
     pub(super) points: Vec<PointState<T>>,
     pub(super) links: Vec<LinkState<T>>,
     pub(super) travels: Vec<TravelState<T>>,
-    /// One signed measure a group: the square of the sine of its transmission angle, or what
-    /// plays that part; zero at a singularity, negative where the group cannot close.
+    /// One signed measure for each group: the square of the sine of its transmission angle, or an
+    /// equivalent. Zero at a singularity, negative if the group cannot close.
     pub(super) measures: Vec<T>,
-    /// For every group the sign that chooses its assembly, where it has two.
+    /// For each group the sign that selects its assembly, if it has two.
     pub(super) signs: Vec<T>,
-    /// The forces, where anything acts.
+    /// The forces, if the mechanism has loads.
     pub(super) forces: Option<Box<ForceState<T>>>,
     pub(super) frame: Frame,
-    /// What the solver never places.
+    /// The elements that the solver never places.
     pub(super) left_out: Option<Arc<Marks>>,
-    /// For angles, and for lengths in the scene's unit.
+    /// The rates for angles; `length_rates` are those for lengths in the scene's unit.
     pub(super) rates: Rates,
     pub(super) length_rates: Rates,
-    /// The driven link, whose angle is the driver's coordinate to the bit; none where its motor sits on another link.
+    /// The driven link, whose angle is exactly the driver's coordinate; `None` if its motor is on
+    /// another link.
     pub(super) driven: Option<LinkId>,
     /// Whether the driver's coordinate is an angle.
     pub(super) is_turned: bool,
@@ -122,24 +124,24 @@ pub struct State<T = f64> {
 }
 
 impl<T: Number> State<T> {
-    /// Begins a solve: to this order, at this coordinate.
+    /// Starts a solve: sets its coordinate and order.
     #[inline(always)]
     pub(super) fn begin(&mut self, at: T, order: Order) {
         (self.at, self.order) = (at, order);
     }
 
-    /// What this state is.
+    /// Returns the kind of this state.
     pub fn condition(&self) -> Condition {
         self.condition
     }
 
-    /// How far it has been solved.
+    /// Returns the order to which it is solved.
     #[must_use]
     pub fn order(&self) -> Order {
         self.order
     }
 
-    /// Whether figures of an order exist.
+    /// Returns `true` if values of an order exist.
     #[inline]
     #[must_use]
     pub fn has(&self, order: Order) -> bool {
@@ -162,13 +164,13 @@ impl<T: Number> State<T> {
         self.has(order) && self.left_out.as_ref().is_none_or(is_placed)
     }
 
-    /// Whether the driver turns a link, and does not push a slide.
+    /// Returns `true` if the driver turns a link, `false` if it pushes a slide.
     #[must_use]
     pub fn turns(&self) -> bool {
         self.is_turned
     }
 
-    /// The driver's coordinate as the steps have it: in degrees or scaled lengths.
+    /// Returns the driver's coordinate in the unit of the steps: degrees or scaled lengths.
     #[inline(always)]
     pub(super) fn coordinate(&self) -> T {
         if self.turns() {
@@ -178,25 +180,25 @@ impl<T: Number> State<T> {
         }
     }
 
-    /// The driver's coordinate, as asked.
+    /// Returns the requested coordinate of the driver.
     #[must_use]
     pub fn at(&self) -> T {
         self.at
     }
 
-    /// The driver's speed: rad/s or length/s.
+    /// Returns the driver's speed: rad/s or length/s.
     #[must_use]
     pub fn driver_speed(&self) -> T {
         T::of(self.rates.speed).scaled(self.driver_scale)
     }
 
-    /// The driver's acceleration: rad/s^2 or length/s^2.
+    /// Returns the driver's acceleration: rad/s^2 or length/s^2.
     #[must_use]
     pub fn driver_acceleration(&self) -> T {
         T::of(self.rates.acceleration).scaled(self.driver_scale)
     }
 
-    /// The position of a point.
+    /// Returns the position of a point, in the scene's frame.
     #[inline]
     #[must_use]
     pub fn position(&self, point: PointId) -> Option<Vec2<T>> {
@@ -204,13 +206,13 @@ impl<T: Number> State<T> {
             .then(|| self.place(point))
     }
 
-    /// Where a point has been put, by whoever has just put it there.
+    /// Returns the position of a point without checking that it has been placed.
     #[inline(always)]
     pub(super) fn place(&self, point: PointId) -> Vec2<T> {
         self.frame.place(self.points[point.index()].p)
     }
 
-    /// Its velocity, per second.
+    /// Returns the velocity of a point, in the scene's length unit per second.
     #[inline]
     #[must_use]
     pub fn velocity(&self, point: PointId) -> Option<Vec2<T>> {
@@ -218,7 +220,7 @@ impl<T: Number> State<T> {
             .then(|| self.points[point.index()].v.times(self.length_rates.speed))
     }
 
-    /// Its acceleration, per second squared.
+    /// Returns the acceleration of a point, in the scene's length unit per second squared.
     #[inline]
     #[must_use]
     pub fn acceleration(&self, point: PointId) -> Option<Vec2<T>> {
@@ -229,7 +231,7 @@ impl<T: Number> State<T> {
         })
     }
 
-    /// The direction of a link's x axis: a unit vector.
+    /// Returns the direction of a link's x axis: a unit vector.
     #[inline]
     #[must_use]
     pub fn direction(&self, link: LinkId) -> Option<Vec2<T>> {
@@ -237,7 +239,7 @@ impl<T: Number> State<T> {
             .then(|| self.links[link.index()].d)
     }
 
-    /// The angle of a link's x axis in degrees, from 0 to below 360.
+    /// Returns the angle of a link's x axis in degrees, from 0 to below 360.
     #[must_use]
     pub fn angle(&self, link: LinkId) -> Option<T> {
         let direction = self.direction(link)?;
@@ -248,7 +250,7 @@ impl<T: Number> State<T> {
         })
     }
 
-    /// Angular velocity in rad/s.
+    /// Returns the angular velocity of a link in rad/s.
     #[inline]
     #[must_use]
     pub fn omega(&self, link: LinkId) -> Option<T> {
@@ -256,7 +258,7 @@ impl<T: Number> State<T> {
             .then(|| self.links[link.index()].w.times(self.rates.speed))
     }
 
-    /// Angular acceleration in rad/s^2.
+    /// Returns the angular acceleration of a link in rad/s^2.
     #[inline]
     #[must_use]
     pub fn alpha(&self, link: LinkId) -> Option<T> {
@@ -266,7 +268,7 @@ impl<T: Number> State<T> {
         })
     }
 
-    /// Where a slide is along its guide, and how the guide lies.
+    /// Returns the position of a slide along its guide, and the direction of the guide.
     #[must_use]
     pub fn travel(&self, slide: SlideId) -> Option<Travel<T>> {
         let is_placed = |out: &Arc<Marks>| !out.slides[slide.index()];
@@ -285,7 +287,7 @@ impl<T: Number> State<T> {
         })
     }
 
-    /// A slide as it has been put, by whoever has just put it there.
+    /// Returns the motion of a slide without checking that it has been placed.
     #[inline(always)]
     pub(super) fn sliding(&self, slide: SlideId) -> Sliding<T> {
         let TravelState { s, v, a, guide } = self.travels[slide.index()];
@@ -327,7 +329,7 @@ impl<T: Number + PartialEq> PartialEq for State<T> {
 }
 
 impl Rates {
-    /// The square is that of the doubles, rounded, with what is left of it.
+    /// Creates rates. The square is the rounded square of the doubles, with the remainder in `lo`.
     pub(super) fn new(speed: Constant, acceleration: Constant) -> Rates {
         let square = speed * speed;
         Rates {
@@ -337,7 +339,7 @@ impl Rates {
         }
     }
 
-    /// The same for a coordinate counted in units of this size, a power of two.
+    /// Returns the rates for a coordinate in a unit of this size, a power of two.
     pub(super) fn times(self, unit: f64) -> Rates {
         Rates {
             speed: self.speed.scaled(unit),
@@ -346,21 +348,21 @@ impl Rates {
         }
     }
 
-    /// The second rate of a coordinate from its coefficients of first and second order.
+    /// Computes the second rate of a coordinate from its coefficients of first and second order.
     #[inline]
     fn second<T: Number>(&self, first: T, second: T) -> T {
         second.times(self.square) + first.times(self.acceleration)
     }
 }
 
-/// A slide in a state.
+/// A slide in a state. Rates are `None` if they do not exist.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Travel<T = f64> {
     /// The sliding point's signed position along the guide, counted from `through`.
     pub position: T,
-    /// Its rate, per second.
+    /// The rate of the position, per second.
     pub rate: Option<T>,
-    /// The rate of its rate, per second squared.
+    /// The second rate of the position, per second squared.
     pub accel: Option<T>,
     /// The guide's direction in the ground frame: a unit vector.
     pub guide: Vec2<T>,
@@ -370,14 +372,14 @@ pub struct Travel<T = f64> {
     pub alpha: Option<T>,
 }
 
-/// The same with all rates.
+/// A slide with all its rates.
 #[derive(Clone, Copy, Debug)]
 pub struct Sliding<T = f64> {
     /// The signed position along the guide.
     pub position: T,
-    /// Its first derivative.
+    /// The first derivative of the position.
     pub rate: T,
-    /// Its second derivative.
+    /// The second derivative of the position.
     pub accel: T,
     /// The unit vector along the guide.
     pub guide: Vec2<T>,

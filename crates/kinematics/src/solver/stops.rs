@@ -1,14 +1,16 @@
-//! The stops of a mechanism: where the motion meets the end of a limit.
+//! Finds the stops of a mechanism: the coordinates at which the motion meets the end of a limit.
 //!
-//! The motion is followed first as if there were none. A limit of the driver's own coordinate then cuts the
-//! range as it is given; of any other the coordinate is followed from where the scene opens, both ways, and the
-//! first place at which it leaves its limit is found to the last digit of the driver's coordinate.
+//! The motion is first followed without stops. A limit of the driver's own coordinate then cuts the
+//! range directly. Any other limited coordinate is followed from the opening coordinate in both
+//! directions. The first place at which it leaves its limit is found to the last digit of the
+//! driver's coordinate.
 //!
-//! Between two places at which the walk has been (a degree of a crank apart, or less) a coordinate x cannot come
-//! nearer to a stop than its smaller clearance less M h^2 / 8, with h the way of the driver and M no less than its
-//! second derivative. M is taken as twice the largest of what is seen at the ends; where that does not settle it,
-//! the way is halved, down to neighbouring doubles. So a violation is only passed by where x bends in between, and
-//! back again, more than twice as much as at both ends.
+//! The tracked motion has samples a degree of a crank apart, or less. Between two of them the
+//! clearance of a coordinate x from a stop is at least the smaller clearance at the ends minus M
+//! h^2 / 8. Here h is the driver's displacement and M a bound of the second derivative. M is taken
+//! as twice the largest value observed at the ends. If that does not decide, the interval is
+//! halved, down to neighbouring doubles. A violation is therefore missed only if x bends there and
+//! back more than twice as much as at both ends.
 
 use super::exact::Exact;
 use super::motion::{EndStop, sign_change};
@@ -20,26 +22,27 @@ use crate::numeric::root;
 use crate::{Body, Double, Input, LimitId, LimitOf, Number, StrokeEnd, Vec2, angle};
 use std::f64::consts::TAU;
 
-/// A coordinate that passes its stop by no more than this has touched it: rounding, as a part of its size, in
-/// radians or scaled lengths.
+/// The amount by which a coordinate may pass its stop and count as touching it: rounding error,
+/// relative to its size, in radians or scaled lengths.
 const TOUCHED: f64 = 1e-13;
-/// How much larger than what is seen at both ends of a way a second derivative may be between them.
+/// Factor by which the second derivative inside an interval may exceed its values at both ends.
 const STEEPER: f64 = 2.0;
-/// Halvings from a degree down to neighbouring doubles, with room.
+/// Number of halvings from a degree down to neighbouring doubles, with a margin.
 const MOST_HALVINGS: u32 = 80;
-/// Doublings of an ulp within which twice the digits look for a stop that doubles have found.
+/// Number of doublings of an ulp within which double-double searches for a stop found in doubles.
 const DOUBLINGS: i32 = 40;
-/// A stop so many roundings of a coordinate from an end that the motion has anyhow is at that end.
+/// Maximum distance of a stop from an end of the motion, in roundings of the coordinate, at which
+/// the two count as the same end.
 const SAME_END: f64 = 4.0;
 
-/// The stops that end the motion: on the way down, and up.
+/// The stops that end the motion: downwards, and upwards.
 pub(super) type EndStops = [Option<EndStop>; 2];
 
 impl Solver {
-    /// The same between the stops of its mechanism.
+    /// Restricts the motion to the range between the stops of the mechanism.
     ///
     /// # Errors
-    /// Where the scene opens beyond one, or between two that leave no way.
+    /// If the scene opens beyond a stop, or if two stops leave no motion.
     pub(super) fn between_stops(mut self) -> Result<Solver, Fault> {
         let mut stops: EndStops = [None, None];
         for id in self.mechanism.limit_ids() {
@@ -65,7 +68,7 @@ impl Solver {
         Ok(self)
     }
 
-    /// Whether a limit holds the driver's own coordinate, by whichever name.
+    /// Returns `true` if a limit applies to the driver's own coordinate, under any of its names.
     fn is_driven(&self, of: LimitOf) -> bool {
         match (of, self.mechanism.driver().input) {
             (LimitOf::Driver | LimitOf::Table(_), _) => true,
@@ -77,11 +80,11 @@ impl Solver {
         }
     }
 
-    /// The ends of a limit of the driver's own coordinate, as far as the motion comes there.
+    /// Returns the ends of a limit of the driver's own coordinate, if the motion reaches them.
     fn driver_stops(&self, id: LimitId) -> Result<EndStops, Fault> {
         let limit = self.mechanism.limit(id);
         let at = self.opening;
-        // A table stands where it was given.
+        // A table's limits are not moved by whole turns.
         let is_table = matches!(limit.of, LimitOf::Table(_));
         let by = match self.engine.turns && !is_table {
             true => angle::TURN * turns_between(at, [limit.low, limit.high], angle::TURN),
@@ -114,8 +117,8 @@ impl Solver {
         ])
     }
 
-    /// The places at which the walk has been, from where the scene opens to where the motion ends or has come
-    /// round.
+    /// Returns the samples of the motion from the opening coordinate to the end of the motion or of
+    /// the period, in the direction `sense`.
     fn way(&self, sense: f64) -> Vec<f64> {
         let start = self.opening;
         let (end, shift) = match self.motion.range {
@@ -131,8 +134,8 @@ impl Solver {
     }
 }
 
-/// Whole turns, as few as there can be, by which two ends are moved so that a value lies between them; those
-/// that bring it nearest where none do.
+/// Returns the smallest number of whole turns by which to move both ends, so that a value lies
+/// between them. If that is impossible, returns the number that brings the ends nearest.
 fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
     let least = ((value - high) / turn).ceil();
     let most = ((value - low) / turn).floor();
@@ -143,8 +146,8 @@ fn turns_between(value: f64, [low, high]: [f64; 2], turn: f64) -> f64 {
     }
 }
 
-/// A coordinate at one place, in radians or scaled lengths, and its derivatives by the driver's coordinate, where
-/// they exist.
+/// A coordinate at one place, in radians or scaled lengths, and its derivatives by the driver's
+/// coordinate if they exist.
 #[derive(Clone, Copy, Debug)]
 struct Sighting {
     at: f64,
@@ -152,11 +155,11 @@ struct Sighting {
     rates: Option<[f64; 2]>,
 }
 
-/// A state in twice the digits.
+/// A state in double-double.
 enum CloseState {
-    /// By the formulas of dyads.
+    /// A state computed by the formulas of dyads.
     Dyads(Box<State<Double>>),
-    /// By corrections to what was found in doubles.
+    /// A state computed by corrections to the solution in doubles.
     Coupled(Box<Workspace<Double>>),
 }
 
@@ -205,7 +208,7 @@ impl<'s> LimitWatch<'s> {
         }
     }
 
-    /// The stops at which the coordinate ends the motion on both ways.
+    /// Returns the stops at which the coordinate ends the motion in both directions.
     fn stops(&mut self) -> Result<EndStops, Fault> {
         let opening = self.whole.opening;
         let Some(mut start) = self.look(opening, 0.0) else {
@@ -239,7 +242,7 @@ impl<'s> LimitWatch<'s> {
         Ok([down, up])
     }
 
-    /// The first stop on the way up or down.
+    /// Returns the first stop upwards or downwards.
     fn first_stop(&mut self, start: Sighting, sense: f64) -> Option<EndStop> {
         let mut from = start;
         for at in self.whole.way(sense) {
@@ -266,7 +269,7 @@ impl<'s> LimitWatch<'s> {
         None
     }
 
-    /// Two places next to each other between which the coordinate first passes an end on this way.
+    /// Returns two neighbouring places between which the coordinate first passes an end.
     fn passed(
         &mut self,
         end: StrokeEnd,
@@ -282,7 +285,7 @@ impl<'s> LimitWatch<'s> {
             if a.min(b) - bend * h * h / 8.0 >= -self.touched {
                 return None;
             }
-            // Where it goes one way all along, its end tells.
+            // If the coordinate is monotonic, its value at the end decides.
             let goes_one_way =
                 first[0].abs().min(last[0].abs()) > bend * h && first[0] * last[0] > 0.0;
             if goes_one_way && a.min(b) >= -self.touched {
@@ -301,7 +304,7 @@ impl<'s> LimitWatch<'s> {
         first.or_else(|| self.passed(end, middle, to, halvings - 1))
     }
 
-    /// How far inside an end a coordinate is.
+    /// Returns how far inside an end a coordinate is.
     fn clearance(&self, end: StrokeEnd, value: f64) -> f64 {
         match end {
             StrokeEnd::Least => value - self.ends[0],
@@ -309,7 +312,7 @@ impl<'s> LimitWatch<'s> {
         }
     }
 
-    /// The coordinate at a place; of an angle the turn nearest to another one.
+    /// Evaluates the coordinate at a place. An angle is taken on the turn nearest to `near`.
     fn look(&mut self, at: f64, near: f64) -> Option<Sighting> {
         let condition = self.solver.solve(at, Order::Acceleration, &mut self.work);
         if condition == Condition::NoAssembly {
@@ -332,7 +335,8 @@ impl<'s> LimitWatch<'s> {
         Some(Sighting { at, value, rates })
     }
 
-    /// The coordinate of the driver at which an end is met, between two places close to each other.
+    /// Returns the driver's coordinate at which an end is met, between two places close to each
+    /// other.
     fn end_between(&mut self, end: StrokeEnd, inside: Sighting, outside: Sighting) -> f64 {
         let [a, b] = [inside, outside].map(|s| self.clearance(end, s.value));
         if a <= 0.0 {
@@ -348,8 +352,8 @@ impl<'s> LimitWatch<'s> {
             .unwrap_or(found)
     }
 
-    /// The double nearest to where an end is met, by twice the digits from the numbers that are meant; `None`
-    /// where a series has a part in it.
+    /// Returns the double nearest to the coordinate at which an end is met, by double-double
+    /// evaluation of the typed decimals; `None` if a series contributes to it.
     fn sharpened(
         &mut self,
         end: StrokeEnd,
@@ -396,7 +400,8 @@ impl<'s> LimitWatch<'s> {
         })
     }
 
-    /// How far inside an end the coordinate is, of an angle the sine of that, in twice the digits.
+    /// Computes in double-double how far inside an end the coordinate is; for an angle the sine of
+    /// that.
     fn exactly(
         &mut self,
         exact: &Exact,
@@ -425,7 +430,7 @@ impl<'s> LimitWatch<'s> {
         self.inside(exact, end, close)
     }
 
-    /// How far inside an end the coordinate is in a state, of an angle the sine of that.
+    /// Computes how far inside an end the coordinate is in a state; for an angle the sine of that.
     fn inside<T: Number>(&self, exact: &Exact, end: StrokeEnd, state: &State<T>) -> Option<T> {
         let limit = self.whole.mechanism.limit(self.id);
         let (value, sign) = match end {
@@ -456,7 +461,8 @@ impl<'s> LimitWatch<'s> {
         let _ = self.solver.solve(at, Order::Position, &mut self.work);
         self.solver.aim(at, &mut self.work);
         let steps = exact.engine.program.steps.len();
-        // Far from the origin the typed decimals have other solutions than the doubles next to them.
+        // Far from the origin, typed decimals and the doubles next to them have different
+        // solutions.
         let order = Order::Position;
         let _ = exact.engine.run_steps(0..steps, at, order, &mut self.work);
         let mut run = ProvedRun::new(&exact, self.solver.slides);
@@ -467,7 +473,7 @@ impl<'s> LimitWatch<'s> {
     }
 }
 
-/// The direction of a link as seen from a body, and the derivatives of its angle.
+/// Returns the direction of a link relative to a body, and the derivatives of its angle.
 fn seen<T: Number>(state: &State<T>, link: crate::LinkId, from: Body) -> (Vec2<T>, [T; 2]) {
     let link = &state.links[link.index()];
     match from {

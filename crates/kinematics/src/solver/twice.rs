@@ -1,4 +1,4 @@
-//! The same states in twice the precision: to hold others against.
+//! Solves states again in double-double precision, as a reference for other results.
 
 use super::elements::{ACCELERATION, POSITION, VELOCITY};
 use super::engine::Engine;
@@ -7,7 +7,7 @@ use super::{Order, Solver, Workspace};
 use crate::Double;
 
 impl Solver {
-    /// Room for a state in twice the precision.
+    /// Creates a workspace in double-double precision.
     #[must_use]
     pub fn twice(&self) -> Workspace<Double> {
         let mut twice: Workspace<Double> = self.room();
@@ -20,9 +20,9 @@ impl Solver {
         twice
     }
 
-    /// Solves what is in `state` once more, in twice the precision and from the numbers that are meant: dyads by their formulas, coupled
-    /// groups by corrections to what was found in doubles. Whether it could be solved: not at the
-    /// limits of the motion, and not at change points. Allocates nothing.
+    /// Solves `state` again in double-double precision from the typed decimals. Dyads use their
+    /// formulas, coupled groups correct the solution found in doubles. Returns `true` if it was
+    /// solved: not at the limits of the motion, and not at change points. Allocates nothing.
     pub fn solve_twice(&self, state: &State, order: Order, work: &mut Workspace<Double>) -> bool {
         let twice = &mut work.state;
         let order = order.min(state.order);

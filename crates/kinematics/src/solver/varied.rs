@@ -1,9 +1,10 @@
-//! The same mechanism with other lengths, in place: the same groups, each on its assembly, nothing built anew.
+//! Changes lengths of a mechanism in place and keeps its groups and assemblies, without rebuilding.
 //!
-//! Every place that a program is made of (where an arm ends, where a point rides) is a sum of given lengths with fixed
-//! factors. These factors are found once, by building the program with the derivative by each length beside its
-//! places; then other lengths are some products and sums, and what follows from a place (an arm's length, its square)
-//! is made again by the element that keeps it. It is what tolerances and studies run on, a million times.
+//! Each place in a program (the end of an arm, a riding point) is a sum of given lengths with
+//! constant factors. The factors are found once, by building the program together with the
+//! derivative by each length. Other lengths then take only some products and sums. Values derived
+//! from a place (an arm's length, its square) are recomputed by the element that stores them.
+//! Tolerances and studies run on this, a million times.
 
 use super::Range;
 use super::chain;
@@ -17,29 +18,30 @@ use super::{Condition, Demand, Order, Solver, State, Workspace};
 use crate::angle::TURN;
 use crate::{Ball, Constant, LANES, Lanes, Length, Mechanism, Number, Vec2};
 
-/// The places at which a motion is looked at for a group that comes near to its limits,
+/// The number of places at which a motion is checked for a group that comes near its limits.
 const DEGREES: u16 = 360;
-/// what the square of a sine is there at the least: at 1 degree between places it could be nought in between below
-/// some thousandths,
+/// The minimum of the squared sine at these places. At a spacing of 1 degree it could reach zero in
+/// between if it were below some thousandths.
 const LEAST_MEASURE: f64 = 0.04;
-/// and by how much it changes from place to place at the most.
+/// The maximum change of the squared sine from one place to the next.
 const STEEPEST_MEASURE: f64 = 0.1;
 
-/// A mechanism whose lengths are changed in place: made by [`Solver::varied`].
+/// A mechanism whose lengths are changed in place, created by [`Solver::varied`].
 #[derive(Clone, Debug)]
 pub struct Varied {
     nominal: Solver,
     engine: Engine,
     work: Workspace,
     lanes: Workspace<Lanes>,
-    /// Every place of the program, as it was given.
+    /// Every place of the program, with its given value.
     places: Vec<VariedPlace>,
-    /// The constant points that follow a length: they lie in the states, and are written there.
+    /// The constant points that depend on a length. They are stored in the states and written
+    /// there.
     moved: Vec<usize>,
     lengths: usize,
 }
 
-/// A place, and what follows which length by how much.
+/// A place, with each length on which it depends and its derivative by that length.
 #[derive(Clone, Debug)]
 struct VariedPlace {
     given: Vec2<Constant>,
@@ -47,7 +49,7 @@ struct VariedPlace {
 }
 
 impl VariedPlace {
-    /// Where it is with lengths changed by so much.
+    /// Returns the place for lengths changed by `by`, in the scene's unit.
     fn with(&self, by: &[f64]) -> Vec2<Constant> {
         let moved = self
             .follows
@@ -60,7 +62,7 @@ impl VariedPlace {
         )
     }
 
-    /// Where it can be with lengths off by no more than so much each.
+    /// Returns an enclosure of the place for length errors up to `limits`.
     fn within(&self, limits: &[f64]) -> Vec2<Constant> {
         let ways = self
             .follows
@@ -83,8 +85,9 @@ impl VariedPlace {
 }
 
 impl Solver {
-    /// Makes some lengths ready to be changed in place, of what `demand` reads. `None` of a redundant mechanism: with
-    /// other lengths it jams, or moves by what was set aside.
+    /// Prepares lengths for changes in place, for the values read by `demand`. `None` for a
+    /// redundant mechanism: with other lengths it jams, or moves by the equations that were set
+    /// aside.
     #[must_use]
     pub fn varied(&self, lengths: &[Length], demand: &Demand) -> Option<Varied> {
         let program = |network: Network<'_>| {
@@ -134,7 +137,7 @@ impl Solver {
     }
 }
 
-/// The places of a program, as they are.
+/// Returns the places of a program with their given values.
 fn places(engine: &mut Engine) -> Vec<VariedPlace> {
     let mut places = Vec::new();
     engine.program.vary(&mut |place| {
@@ -147,8 +150,8 @@ fn places(engine: &mut Engine) -> Vec<VariedPlace> {
 }
 
 impl Engine {
-    /// Notes at every place of a program how it follows the length with which this one was built; `None` where that
-    /// has made another program of it.
+    /// Records how each place depends on the length with which this engine was built; `None` if
+    /// building it with the length gave another program.
     fn follow(&mut self, length: usize, places: &mut [VariedPlace]) -> Option<()> {
         let mut all = places.iter_mut();
         let mut is_same = true;
@@ -165,20 +168,20 @@ impl Engine {
 }
 
 impl Varied {
-    /// How many lengths it changes.
+    /// Returns the number of variable lengths.
     #[must_use]
     pub fn lengths(&self) -> usize {
         self.lengths
     }
 
-    /// The solver of the lengths as they were given.
+    /// Returns the solver with the given lengths.
     #[must_use]
     pub fn nominal(&self) -> &Solver {
         &self.nominal
     }
 
-    /// Makes every length longer by so much, in the scene's unit, than it was given: in the order in which they were
-    /// asked for, those that are left out as given. Allocates nothing.
+    /// Changes every length by the given amount in the scene's unit, relative to its given value.
+    /// The order is that of the lengths passed to [`Solver::varied`]. Allocates nothing.
     pub fn change(&mut self, by: &[f64]) {
         debug_assert_eq!(by.len(), self.lengths);
         let mut places = self.places.iter();
@@ -194,23 +197,25 @@ impl Varied {
         }
     }
 
-    /// Solves at the driver's coordinate, on the assembly that the given lengths have there. Where they have none the
-    /// sign of each group is that of the motion's nearer end. [`Condition::NoAssembly`] where it does not close;
-    /// change points and series beside them are those of exact lengths, and not of these. Allocates nothing.
+    /// Solves at the driver's coordinate, in the assembly that the given lengths have there.
+    /// Outside their motion, each group has the sign of the motion's nearer end. Returns
+    /// [`Condition::NoAssembly`] if a group does not close. Change points and their series belong
+    /// to the given lengths, not to the changed ones. Allocates nothing.
     pub fn solve(&mut self, at: f64, order: Order) -> Condition {
         self.nominal.aim_varied(&self.engine, at, &mut self.work);
         self.work.state.measures.fill(1.0);
         self.engine.run(at, order, &mut self.work)
     }
 
-    /// A solver of the lengths as they are now, of a mechanism that has them, where all is plain: the driver turns
-    /// fully, nothing has stops, the motion has no change point and comes near to none, nothing is coupled, and from
-    /// degree to degree no group comes near to its limits. Otherwise `None`: then a solver is to be made.
+    /// Creates a solver for the current lengths, where `mechanism` has these lengths. This is
+    /// possible only in the simple case: the driver turns fully, and there are no stops, change
+    /// points, near misses or coupled groups. In addition, no group may come near its limits at any
+    /// degree. `None` in all other cases: create a solver from scratch instead.
     ///
-    /// It solves and reads as any other; bounds and assemblies it does not know.
+    /// The result solves and is read like any other solver, but has no bounds and no assemblies.
     pub fn plain(&mut self, mechanism: &Mechanism) -> Option<Solver> {
         let motion = &self.nominal.motion;
-        // Stops that the given lengths stay between may be met by others.
+        // Other lengths may meet stops that the given lengths do not reach.
         let is_plain = motion.range == Range::Full { period: TURN }
             && mechanism.limits().is_empty()
             && motion.passages.is_empty()
@@ -228,7 +233,8 @@ impl Varied {
         })
     }
 
-    /// Whether every group closes at every degree, away from its limits, and changes little from one to the next.
+    /// Returns `true` if every group closes at every degree, away from its limits, and changes
+    /// little between neighbouring degrees.
     fn keeps_clear(&mut self) -> bool {
         let groups = self.lanes.state.measures.len();
         let mut before: Vec<Option<f64>> = vec![None; groups];
@@ -250,16 +256,16 @@ impl Varied {
         true
     }
 
-    /// Whether anything that is read follows a length.
+    /// Returns `true` if any value read depends on the length.
     #[must_use]
     pub fn follows(&self, length: usize) -> bool {
         let mut all = self.places.iter().flat_map(|place| &place.follows);
         all.any(|&(of, _)| of == length)
     }
 
-    /// All states at once of lengths that are off by no more than so much each: a ball around each number of the
-    /// state, in natural ball arithmetic, so that it holds them all and is wider than they need. `None` where that
-    /// cannot be told, and of every mechanism with a coupled group.
+    /// Computes an enclosure of all states with length errors up to `limits`: a ball around each
+    /// number of the state. It uses natural ball arithmetic, so it contains all states but is wider
+    /// than necessary. `None` if that fails, and for every mechanism with a coupled group.
     #[must_use]
     pub fn enclose(&self, limits: &[f64], at: f64, order: Order) -> Option<State<Ball>> {
         if !self.engine.program.coupled.is_empty() {
@@ -287,17 +293,18 @@ impl Varied {
         placed.then(|| work.into_state())
     }
 
-    /// The class of the loop that the driver closes, with the lengths as they are now; `None` where there is no such
-    /// loop, or nothing of it is read.
+    /// Returns the class of the loop that the driver closes, with the current lengths; `None` if
+    /// there is no such loop, or none of it is read.
     #[must_use]
     pub fn kind(&self) -> Option<LoopKind> {
         let found = classify(&self.engine, &self.nominal.mechanism);
         found.map(DrivenLoop::kind)
     }
 
-    /// Of what [`Varied::solve`] found last, how far each group is from the edge of assembly: of a dyad the square of
-    /// the sine of its transmission angle. Not positive for the group that is open, if one is; that of a group behind
-    /// it, and of a coupled group that is open, is 1.
+    /// Returns how far each group of the last [`Varied::solve`] is from its assembly limit: for a
+    /// dyad the square of the sine of its transmission angle. It is not positive for a dyad that
+    /// does not close. It is 1 for the groups after that dyad, and for a coupled group that does
+    /// not close.
     pub fn measures(&mut self, at: f64) -> &[f64] {
         let is_closed = self.work.state.condition != Condition::NoAssembly;
         if is_closed && !self.engine.program.coupled.is_empty() {
@@ -306,14 +313,14 @@ impl Varied {
         &self.work.state.measures
     }
 
-    /// What [`Varied::solve`] found last.
+    /// Returns the result of the last [`Varied::solve`].
     #[must_use]
     pub fn state(&self) -> &Workspace {
         &self.work
     }
 
-    /// Solves at several coordinates at once; `None` where one of them is none at which all closes plainly, and of
-    /// every mechanism with a coupled group: then they want to be solved one by one. Allocates nothing.
+    /// Solves at several coordinates at once. `None` if one of them is not an ordinary one, and for
+    /// every mechanism with a coupled group: solve those one by one. Allocates nothing.
     pub fn solve_lanes(&mut self, at: [f64; LANES], order: Order) -> Option<&Workspace<Lanes>> {
         if !self.engine.program.coupled.is_empty() {
             return None;
@@ -332,7 +339,7 @@ impl Varied {
 }
 
 impl Solver {
-    /// The signs of all groups at a coordinate, in any arithmetic.
+    /// Sets the signs of all groups at a coordinate.
     fn choose_exactly(&self, at: f64, state: &mut State<Ball>) {
         for (sign, &start) in state.signs.iter_mut().zip(&self.engine.signs) {
             *sign = Ball::exactly(start);
@@ -342,7 +349,7 @@ impl Solver {
         }
     }
 
-    /// Puts into the room of other lengths what the motion tells of a coordinate.
+    /// Writes the motion's data for a coordinate to a workspace for other lengths.
     fn aim_varied(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         self.motion.anchors.aim(engine, at, work);
         let passages = &self.motion.passages;

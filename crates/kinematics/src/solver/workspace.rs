@@ -1,4 +1,4 @@
-//! The room in which states are found, apart from the states.
+//! Holds the memory in which states are solved, separate from the states themselves.
 
 use super::bounds::Errors;
 use super::coupled::Scratch;
@@ -6,30 +6,29 @@ use super::state::State;
 use crate::{Double, Number};
 use std::ops::Deref;
 
-/// Room to solve in, made once for a solver: the state that was found last, and what finding it
-/// takes besides.
+/// The memory for solving, created once for a solver: the most recent state and scratch memory.
 ///
-/// It reads like its state. A state that is to be kept, compared or sent elsewhere is taken from it, as
-/// a value of its own: [`Workspace::state`].
+/// It dereferences to its state. Use [`Workspace::state`] to clone a state that is kept, compared
+/// or sent elsewhere.
 #[derive(Clone, Debug)]
 pub struct Workspace<T = f64> {
     pub(super) state: State<T>,
-    /// Of the coupled groups.
+    /// The scratch memory of the coupled groups.
     pub(super) scratch: Scratch<T>,
-    /// What is known of the errors of the state, where these are looked for.
+    /// The error analysis of the state, if requested.
     pub(super) errors: Errors,
-    /// For steps that are run in twice the digits, where doubles do not tell.
+    /// The state of steps run in double-double, where doubles do not suffice.
     pub(super) close: Option<Box<State<Double>>>,
 }
 
 impl<T> Workspace<T> {
-    /// The state that was found last.
+    /// Returns the most recent state.
     #[must_use]
     pub fn state(&self) -> &State<T> {
         &self.state
     }
 
-    /// The state that was found last, without the room.
+    /// Returns the most recent state without the scratch memory.
     #[must_use]
     pub fn into_state(self) -> State<T> {
         self.state
@@ -37,7 +36,7 @@ impl<T> Workspace<T> {
 }
 
 impl<T: Number> Workspace<T> {
-    /// Room for a state alone.
+    /// Creates a workspace for a state alone.
     pub(super) fn new(state: State<T>, scratch: Scratch<T>) -> Workspace<T> {
         Workspace {
             state,

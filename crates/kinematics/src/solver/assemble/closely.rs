@@ -1,5 +1,5 @@
-//! What doubles cannot place, in twice the digits and from the numbers that are meant: a triangle as thin as
-//! a needle, and one that is open by less than a rounding.
+//! Places groups that doubles cannot place, in double-double with typed decimals: a triangle as
+//! thin as a needle, or one open by less than a rounding error.
 
 use super::{Assembler, TIE, miss, side_of, steps_of};
 use crate::Double;
@@ -11,7 +11,8 @@ use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 
 impl Assembler<'_> {
-    /// Places the first steps, rounded; `None` where that tells no more than doubles do.
+    /// Places the first steps and rounds the results; `None` if double-double does not improve on
+    /// doubles.
     pub(super) fn place_closely(&self, steps: usize, work: &mut Workspace) -> Option<Condition> {
         let exact = self.exact.filter(|exact| exact.tells(steps))?;
         let mut close: State<Double> = exact.state(work.travels.len());
@@ -20,7 +21,7 @@ impl Assembler<'_> {
         Some(condition)
     }
 
-    /// What becomes of the dyad of a step of which doubles say this.
+    /// Returns the outcome of the dyad of a step, given its outcome in doubles.
     pub(super) fn closing_closely(
         &self,
         key: usize,
@@ -38,7 +39,8 @@ impl Assembler<'_> {
         }
     }
 
-    /// The side of a dyad that is nearer to the rough places, as far as twice the digits tell the two apart.
+    /// Returns the side of a dyad nearer to the approximate positions, if double-double can
+    /// distinguish the two.
     pub(super) fn hinted(
         &self,
         number: usize,
@@ -46,7 +48,7 @@ impl Assembler<'_> {
         engine: &Engine,
         work: &Workspace,
     ) -> Option<Pick> {
-        // To its last step: a rough place may be that of a point on the dyad's link.
+        // Up to its last step: an approximate position may be that of a point on the dyad's link.
         let end = steps_of(engine, number).end;
         let exact = self.exact.filter(|exact| end <= exact.closed)?;
         let wanted = self.wanted(number, engine);
@@ -69,7 +71,7 @@ impl Assembler<'_> {
         differ.then_some(nearer)
     }
 
-    /// By how much the dyad of a step misses to close.
+    /// Returns the gap by which the dyad of a step fails to close.
     pub(super) fn gap_closely(&self, key: usize, state: &State) -> Option<f64> {
         let exact = self.exact.filter(|exact| exact.tells(key))?;
         let mut close: State<Double> = exact.state(state.travels.len());

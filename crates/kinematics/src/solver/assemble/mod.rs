@@ -1,8 +1,9 @@
-//! Puts a mechanism together at one coordinate: group by group, each in the way that was picked for
-//! it, or in the one nearest to rough places.
+//! Assembles a mechanism at one coordinate, group by group, in the placement picked for each group
+//! or in the one nearest to approximate positions.
 //!
-//! The dyads have two ways, coupled groups some, everything else one. Where a dyad is stretched its
-//! two ways meet and places tell nothing; the motion is then begun beside that coordinate.
+//! Dyads have two placements, coupled groups several, all others one. If a dyad is stretched, its
+//! two placements coincide and positions cannot distinguish them. The motion is then started next
+//! to that coordinate.
 
 mod closely;
 mod open;
@@ -23,24 +24,26 @@ use super::state::{Condition, State};
 use super::workspace::Workspace;
 use crate::{Mechanism, PointId, Vec2};
 
-/// Two ways whose distances from the rough places differ by less than this part are not told apart.
+/// Relative difference of the distances from the approximate positions below which two placements
+/// are not distinguished.
 const TIE: f64 = 1e-6;
-/// A motion that opens where a dyad is stretched is begun so far beside, in radians or scaled lengths:
-/// farther than a change point is passed in one step, near enough for no other group to be elsewhere.
+/// Distance of the starting coordinate from one at which a dyad is stretched, in radians or scaled
+/// lengths. It is larger than one step across a change point, and small enough that all other
+/// groups stay near.
 const BESIDE: f64 = 5e-3;
 
-/// One of the ways in which a group can be placed.
+/// A placement of a group.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Placement {
-    /// There is no other.
+    /// The only placement.
     Only,
-    /// Of a dyad, by its sign.
+    /// The side of a dyad, by its sign.
     Side(f64),
-    /// Of a coupled group, by its unknowns.
+    /// A solution of a coupled group, by its unknowns.
     Root(Vec<f64>),
 }
 
-/// Why a mechanism was not put together.
+/// The reason why a mechanism was not assembled.
 #[derive(Debug)]
 pub(super) enum Halt {
     Fault(Fault),
@@ -54,20 +57,22 @@ impl From<Fault> for Halt {
     }
 }
 
-/// Where a motion is followed from.
+/// The coordinate from which a motion is followed.
 #[derive(Debug)]
 pub(super) struct Beginning {
-    /// The coordinate that was asked for, or one close to it.
+    /// The requested coordinate, or one close to it.
     pub at: f64,
-    /// Of a beginning beside: what is wrong if the motion does not come to what was asked for.
+    /// For a start next to the requested coordinate: the fault if the motion does not reach that
+    /// coordinate.
     pub stuck: Option<Fault>,
 }
 
-/// Settles the signs of all dyads and a solution of every coupled group, and leaves the state where the
-/// motion is followed from.
+/// Determines the signs of all dyads and a solution of every coupled group, and leaves in `state`
+/// the start of the motion.
 ///
 /// # Errors
-/// What keeps the first group concerned from being placed, or its ways from being told apart.
+/// Returns the fault of the first group that cannot be placed, or whose placements cannot be
+/// distinguished.
 pub(super) fn assemble(
     engine: &mut Engine,
     network: &Network<'_>,
@@ -93,14 +98,14 @@ pub(super) fn assemble(
     }
 }
 
-/// Someone who puts groups together.
+/// The data for assembling groups.
 pub(super) struct Assembler<'a> {
     pub network: &'a Network<'a>,
     pub plan: &'a Plan,
     pub request: &'a Request<'a>,
-    /// To look closer where doubles do not tell.
+    /// For a closer look where doubles do not suffice.
     pub exact: Option<&'a Exact>,
-    /// With positions alone a stretched dyad is a dyad like any other.
+    /// With [`Order::Position`] a stretched dyad is treated like any other.
     pub order: Order,
 }
 
@@ -122,7 +127,7 @@ impl Assembler<'_> {
         Ok(())
     }
 
-    /// Places the groups from one on; whether they could be.
+    /// Places the groups starting at `first`. Returns `true` if all could be placed.
     pub(super) fn settle_from(
         &self,
         first: usize,
@@ -132,7 +137,7 @@ impl Assembler<'_> {
         (first..self.plan.groups.len()).all(|n| self.settle(n, engine, state).is_ok())
     }
 
-    /// Places a group in the way that is meant; those before it stand.
+    /// Places a group in the intended placement. The groups before it are already placed.
     pub(super) fn settle(
         &self,
         number: usize,
@@ -153,7 +158,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// All ways in which a group can be placed; those before it stand.
+    /// Returns all placements of a group. The groups before it are already placed.
     pub(super) fn ways(
         &self,
         number: usize,
@@ -178,7 +183,7 @@ impl Assembler<'_> {
         vec![Placement::Only]
     }
 
-    /// Places a group in one of its ways; those before it stand.
+    /// Places a group in one of its placements. The groups before it are already placed.
     pub(super) fn take(
         &self,
         number: usize,
@@ -197,7 +202,7 @@ impl Assembler<'_> {
         self.place(number, engine, state)
     }
 
-    /// Places a group in the way that the state has signs and unknowns of.
+    /// Places a group according to the signs and unknowns in the state.
     fn place(&self, number: usize, engine: &Engine, state: &mut Workspace) -> Condition {
         let steps = steps_of(engine, number);
         let end = steps.end;
@@ -209,7 +214,7 @@ impl Assembler<'_> {
 
     // ---- the steps of a group
 
-    /// Runs what a group needs before its ways part.
+    /// Runs the steps of a group before its placements differ.
     fn lead_in(&self, number: usize, engine: &Engine, state: &mut Workspace) {
         let steps = steps_of(engine, number);
         let parting = self
@@ -220,12 +225,12 @@ impl Assembler<'_> {
         }
     }
 
-    /// The step of a group that has two ways.
+    /// Returns the step of a group that has two placements.
     fn key(&self, number: usize, engine: &Engine) -> Option<usize> {
         steps_of(engine, number).find(|&i| engine.program.steps[i].choice().is_some())
     }
 
-    /// The step of a coupled group, and its number among these.
+    /// Returns the step of a coupled group, and its index among the coupled groups.
     fn coupled(&self, number: usize, engine: &Engine) -> Option<(usize, usize)> {
         let coupled = |i: usize| engine.program.steps[i].coupled();
         steps_of(engine, number).find_map(|i| Some((i, coupled(i)?)))
@@ -252,7 +257,7 @@ impl Assembler<'_> {
         engine.place_dyad(step, self.request.at, &mut state.state)
     }
 
-    /// The side that was picked, or the one nearer to the rough places.
+    /// Returns the picked side, or the one nearer to the approximate positions.
     fn meant_side(
         &self,
         number: usize,
@@ -266,7 +271,7 @@ impl Assembler<'_> {
         let mechanism = self.network.mechanism;
         let picked = picked.map(|pick| side_of(mechanism, engine, key, pick).ok_or(pick));
         let in_doubles = self.closing(key, engine, state);
-        // What is named as an end lies up to half an ulp beyond it, or before.
+        // A coordinate named as an end may be up to half an ulp beyond it, or before it.
         let may_end = in_doubles == StepOutcome::Stretched && self.order != Order::Position;
         match self.closing_closely(key, in_doubles, state) {
             StepOutcome::Open | StepOutcome::Unclear | StepOutcome::Stretched if may_end => {
@@ -287,7 +292,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// Places a dyad on both sides and tells the one nearer to the rough places.
+    /// Places a dyad on both sides and returns the side nearer to the approximate positions.
     fn nearer_side(
         &self,
         number: usize,
@@ -305,7 +310,7 @@ impl Assembler<'_> {
         }
         let [(plus, p_plus), (minus, p_minus)] = found;
         let undecided = wanted.is_empty() || (plus - minus).abs() <= TIE * (plus + minus);
-        // Where only positions are asked for, either will do where both are one.
+        // If only positions are requested, either side will do where both coincide.
         let indifferent = self.order == Order::Position || self.is_symmetric(number, engine, key);
         if undecided && !indifferent {
             let choices = [p_plus, p_minus].map(|p| engine.frame.place(p)).to_vec();
@@ -315,8 +320,8 @@ impl Assembler<'_> {
         Ok(Placement::Side(sign))
     }
 
-    /// An arm without a point of its own has no start to choose by: it runs along its guide's
-    /// positive direction.
+    /// Returns `true` for an arm without a point of its own. It has no start that chooses a side,
+    /// so it runs along its guide's positive direction.
     fn is_symmetric(&self, number: usize, engine: &Engine, key: usize) -> bool {
         let Step::Swing(swing) = engine.program.steps[key] else {
             return false;
@@ -327,7 +332,7 @@ impl Assembler<'_> {
         self.group(number).points.iter().find(named).is_none()
     }
 
-    /// The point whose position tells the ways apart.
+    /// Returns the point whose position distinguishes the placements.
     fn subject(&self, number: usize, engine: &Engine, key: usize) -> PointId {
         let group = self.group(number);
         let Step::Swing(swing) = engine.program.steps[key] else {
@@ -363,10 +368,10 @@ impl Assembler<'_> {
         }
     }
 
-    // ---- beginning where a dyad is stretched
+    // ---- starting where a dyad is stretched
 
-    /// Begins on that side of the coordinate on which the mechanism exists, or at a change point, where
-    /// it exists on both, beyond it in the way that was picked.
+    /// Starts on the side of the coordinate on which the mechanism exists. At a change point it
+    /// exists on both sides, and the start is past it, in the picked placement.
     fn begin_beside(
         &self,
         stretched: usize,
@@ -414,7 +419,7 @@ impl Assembler<'_> {
             Some((at, engine, state))
         });
         let passes = ends.iter().all(Option::is_some);
-        // Stretched wherever it goes, or only here.
+        // Stretched everywhere on the motion, or only here.
         let point = self.group(stretched).point.unwrap_or(here(0));
         let choices = vec![state.place(point); 2];
         let is_open = |key: &usize| {
@@ -438,14 +443,14 @@ impl Assembler<'_> {
         })
     }
 
-    // ---- rough places
+    // ---- approximate positions
 
-    /// The rough places of points that a group places, in the solver's frame.
+    /// Returns the approximate positions of points placed by a group, in the solver's frame.
     fn wanted(&self, number: usize, engine: &Engine) -> Vec<(PointId, Vec2)> {
         self.places(number, self.request.near, engine)
     }
 
-    /// Of rough places those of points that a group places, in the solver's frame.
+    /// Selects from approximate positions those of points placed by a group, in the solver's frame.
     fn places(
         &self,
         number: usize,
@@ -459,7 +464,7 @@ impl Assembler<'_> {
     }
 }
 
-/// How far the points of a state are from the places wanted for them: the sum of the squares.
+/// Returns the sum of the squared distances of the state's points from the approximate positions.
 fn miss(wanted: &[(PointId, Vec2)], state: &State) -> f64 {
     let miss = |&(p, near): &(PointId, Vec2)| (state.points[p.index()].p - near).norm2();
     wanted.iter().map(miss).sum()
@@ -470,7 +475,7 @@ pub(super) fn steps_of(engine: &Engine, number: usize) -> std::ops::Range<usize>
     starts[number]..starts[number + 1]
 }
 
-/// The sign in the solver of a pick, `None` where a dyad has no such pick.
+/// Returns the sign of a pick in the solver, `None` if a dyad has no such pick.
 fn side_of(mechanism: &Mechanism, engine: &Engine, key: usize, pick: Pick) -> Option<f64> {
     let own = handedness(mechanism, &engine.program.steps[key]);
     match pick {
@@ -480,8 +485,8 @@ fn side_of(mechanism: &Mechanism, engine: &Engine, key: usize, pick: Pick) -> Op
     }
 }
 
-/// What a dyad's sign in the solver is picked by: the solver counts a triangle from its shorter arm, a
-/// scene from its link of lower rank.
+/// Returns the factor between a dyad's pick and its sign in the solver. The solver orients a
+/// triangle from its shorter arm, a scene from its link of lower rank.
 pub(super) fn handedness(mechanism: &Mechanism, step: &Step) -> f64 {
     let mut links = Vec::new();
     if step.choice().is_some() {

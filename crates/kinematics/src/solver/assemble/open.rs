@@ -1,4 +1,5 @@
-//! Which groups a start leaves open, all at once: who is asked about one after the other answers as often.
+//! Finds all groups for which a start does not choose the assembly, so that one message can list
+//! them all.
 
 use super::{Assembler, Halt};
 use crate::solver::engine::Engine;
@@ -6,13 +7,13 @@ use crate::solver::fault::{Fault, OpenChoice};
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
-/// So many ways to stand are tried: all of four open groups.
+/// Maximum number of combinations tried: all of four undecided groups.
 const MOST_TRIED: u32 = 16;
 
 impl Assembler<'_> {
-    /// The fault of a group that the start leaves open, with those behind it that are open, too. Where these can be
-    /// follows from how it stands: each as its first choice, or some as their second where with the first nothing
-    /// goes on.
+    /// Returns the fault of an undecided group, with the later undecided groups. The possible
+    /// positions of these depend on the choice for the first. Each group takes its first choice, or
+    /// some take their second if the first leads no further.
     pub(super) fn all_open(
         &self,
         number: usize,
@@ -34,7 +35,7 @@ impl Assembler<'_> {
             if best.is_none() || ends {
                 best = Some(found);
             }
-            // Every way was tried as soon as there are no more digits than groups.
+            // All combinations have been tried once there are no more binary digits than groups.
             if ends || (tried + 1).checked_shr(groups).unwrap_or(0) != 0 {
                 break;
             }
@@ -48,9 +49,9 @@ impl Assembler<'_> {
         })
     }
 
-    /// Goes on with the first choice of each group, or the second one of those whose binary digit in `turned` is 1, the
-    /// first group's the lowest; whether it comes to the last group. Those that are open are found with the choice
-    /// that was taken in front.
+    /// Continues with the first choice of each group, or with the second if its binary digit in
+    /// `turned` is 1; the lowest digit belongs to the first group. Returns `true` if it reaches the
+    /// last group. In `found` the undecided groups have the taken choice first.
     fn open_behind(
         &self,
         first: usize,
@@ -81,14 +82,14 @@ impl Assembler<'_> {
                         return false;
                     }
                 }
-                // What else is wrong is said when it is known where this stands.
+                // Other faults are reported once this choice has been made.
                 Err(_) => return false,
             }
         }
         true
     }
 
-    /// Places a group as its first choice says; whether it can be.
+    /// Places a group according to its first choice. Returns `true` if it can be placed.
     fn take_first(
         &self,
         number: usize,

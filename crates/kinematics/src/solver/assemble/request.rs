@@ -1,23 +1,26 @@
-//! What is asked of an assembly.
+//! Defines the request for an assembly.
 
 use crate::solver::fault::Fault;
 use crate::solver::plan::{Pick, Plan};
 use crate::{ElementId, PointId, Vec2};
 
-/// Where, and in which way: a pick decides for its group, rough places for the others.
+/// The requested coordinate and assembly: picks decide for their groups, approximate positions for
+/// the others.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Request<'a> {
     /// The driver's coordinate.
     pub at: f64,
-    /// Rough places of points, in the scene's unit and frame.
+    /// Approximate positions of points, in the scene's unit and frame.
     pub near: &'a [(PointId, Vec2)],
-    /// For every group of the plan what was picked for it.
+    /// The pick of every group of the plan, if any.
     pub picks: Vec<Option<Pick>>,
 }
 
 impl<'a> Request<'a> {
+    /// Creates a request.
+    ///
     /// # Errors
-    /// [`Fault::NoChoice`] where a pick names no group of the plan.
+    /// Returns [`Fault::NoChoice`] if a pick names no group of the plan.
     pub(in crate::solver) fn new(
         plan: &Plan,
         at: f64,

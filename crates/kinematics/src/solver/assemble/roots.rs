@@ -1,4 +1,4 @@
-//! The ways of a coupled group: its solutions.
+//! Finds the placements of a coupled group: its solutions.
 
 use super::{Assembler, Halt, Placement, miss};
 use crate::solver::coupled::Coupled;
@@ -9,27 +9,28 @@ use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 use crate::{PointId, Vec2};
 
-/// The grains of the order of solutions, in units of about the longest link and in degrees: the finer one orders
-/// those that lie within the coarser one.
+/// The resolutions for ordering solutions, in units of about the longest link and in degrees. The
+/// finer one orders solutions that are equal at the coarser one.
 const GRAINS: [f64; 2] = [1e-6, 1e-9];
-/// Directions tried for a link of a coupled group of which too little is known.
+/// Number of directions tried for a link of a coupled group with insufficient data.
 const TRIED_DIRECTIONS: usize = 12;
-/// Combinations of such directions at the most.
+/// Maximum number of combinations of such directions.
 const MOST_TRIALS: usize = 1728;
-/// Less for large groups: a trial costs up to the cube of the unknowns, and all of them together no
-/// more than about half a second.
+/// A lower limit for large groups: a trial costs up to the cube of the number of unknowns. All
+/// trials together take at most about half a second.
 const TRIAL_WORK: usize = 5_000_000;
 
-/// A start that is off by more than this for each of its points, in units of about the longest link, is
-/// so rough that all solutions are looked for.
+/// Maximum error of a start for each of its points, in units of about the longest link. Beyond it
+/// all solutions are searched.
 const ROUGH: f64 = 0.05;
-/// Trials by the slower way at the most.
+/// Maximum number of trials with the slower method.
 const MOST_CAREFUL: usize = 32;
 
-/// Combinations of directions where following curves does the rest.
+/// Number of combinations of directions if curve tracing finds the other solutions.
 const SPARSE: usize = 48;
 
-/// From one to the next of so many directions: not in step with their numbers, 12 for each link.
+/// Returns the stride through `count` combinations. It is coprime to the 12 directions of each
+/// link.
 fn stride(count: usize) -> usize {
     let at_least = count.div_ceil(SPARSE);
     let mut strides = at_least..;
@@ -37,13 +38,13 @@ fn stride(count: usize) -> usize {
     strides.find(free).unwrap_or(at_least)
 }
 
-/// How a solution is approached.
+/// The method for approaching solutions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Care {
     Newton,
-    /// From a few of the directions, spread over all: the others are found from these.
+    /// A few of the combinations, spread over all. The other solutions are found from these.
     Sparse,
-    /// Where Newton's method found none.
+    /// For groups in which Newton's method found no solution.
     TrustRegion,
 }
 
@@ -53,7 +54,7 @@ impl Assembler<'_> {
         Some(&engine.program.coupled[index])
     }
 
-    /// Puts a solution into the state, and notes on which side of a singularity it is.
+    /// Writes a solution to the state, and stores on which side of a singularity it is.
     pub(super) fn take_root(
         &self,
         number: usize,
@@ -71,7 +72,7 @@ impl Assembler<'_> {
         group.side = group.correct(q, state, scratch).side;
     }
 
-    /// The solution that was picked, or the one nearest to the rough places.
+    /// Returns the picked solution, or the one nearest to the approximate positions.
     pub(super) fn meant_root(
         &self,
         number: usize,
@@ -94,7 +95,8 @@ impl Assembler<'_> {
         }
     }
 
-    /// Newton from the rough places; where they say too little, from a fan of directions.
+    /// Finds the solution nearest to the approximate positions by Newton's method. Missing
+    /// directions are taken from a fan.
     fn nearest_root(
         &self,
         number: usize,
@@ -111,7 +113,7 @@ impl Assembler<'_> {
         if roots.is_empty() {
             roots = near(Care::TrustRegion, work);
         }
-        // From far away Newton's method need not come to the nearest one.
+        // From far away, Newton's method may converge to a solution other than the nearest one.
         let allowed = ROUGH * ROUGH * wanted.len() as f64;
         let is_near = roots.iter().any(|root| {
             self.show_root(group, root, engine, work);
@@ -145,8 +147,8 @@ impl Assembler<'_> {
         Ok(Placement::Root(root))
     }
 
-    /// Every solution that a search finds, in an order of their own: from the rough places, from those of the scene,
-    /// and without any.
+    /// Returns all solutions found by a search, in an order that depends only on the solutions. The
+    /// search starts from the approximate positions, from those of the scene, and without any.
     pub(super) fn all_roots(
         &self,
         number: usize,
@@ -175,7 +177,7 @@ impl Assembler<'_> {
         roots
     }
 
-    /// Adds a solution to a list that does not have it.
+    /// Adds a solution to a list unless the list contains it.
     fn keep(
         &self,
         number: usize,
@@ -195,7 +197,7 @@ impl Assembler<'_> {
         }
     }
 
-    /// The solutions to which Newton comes from rough places.
+    /// Returns the solutions to which Newton's method converges from approximate positions.
     fn roots_near(
         &self,
         number: usize,
@@ -236,7 +238,7 @@ impl Assembler<'_> {
         roots
     }
 
-    /// Puts the points of a solution into the state.
+    /// Writes the points of a solution to the state.
     fn show_root(&self, group: &Coupled, z: &[f64], engine: &Engine, work: &mut Workspace) {
         let (q, _) = engine.coordinate::<f64>(self.request.at);
         let Workspace { state, scratch, .. } = work;
@@ -244,7 +246,8 @@ impl Assembler<'_> {
         group.finish(q, crate::solver::elements::POSITION, state, scratch);
     }
 
-    /// Places to begin from for joints without a start: amid what is known, and around it.
+    /// Returns starting positions for joints without a start: the centroid of the known points, and
+    /// a ring around it.
     fn middles(&self, number: usize, state: &State, wanted: &[(PointId, Vec2)]) -> Vec<Vec2> {
         let grounds = self
             .network
@@ -257,7 +260,7 @@ impl Assembler<'_> {
             .chain(grounds.map(|p| state.points[p.index()].p))
             .collect();
         let middle = places.iter().fold(Vec2::ZERO, |sum, &p| sum + p) / places.len().max(1) as f64;
-        // A lopsided ring: exact symmetry would make the first matrix singular.
+        // An irregular ring: exact symmetry would make the first matrix singular.
         let around = (0..5).map(|i| middle + crate::angle::unit(13.0 + 72.0 * f64::from(i)));
         let near = middle + Vec2::new(0.01, 0.017);
         let mut points = self.group(number).points.iter();
@@ -268,7 +271,8 @@ impl Assembler<'_> {
         }
     }
 
-    /// The directions to try: read off two rough places of a link where there are two.
+    /// Returns the directions to try. A link with two approximate positions has the direction
+    /// between them.
     fn guesses(
         &self,
         number: usize,
@@ -294,7 +298,8 @@ impl Assembler<'_> {
         guesses
     }
 
-    /// The direction of a link's class, from two of its points whose places are known or given.
+    /// Returns the direction of a link's class, from two of its points with known or given
+    /// positions.
     fn read_direction(
         &self,
         number: usize,
@@ -323,8 +328,8 @@ impl Assembler<'_> {
     }
 }
 
-/// By the directions of its links, from +x counter-clockwise, then by its joints: an order that depends
-/// on nothing but the solution.
+/// Returns the sort key of a solution: the directions of its links, from +x counter-clockwise, then
+/// its joints. It depends only on the solution.
 fn rank(group: &Coupled, z: &[f64]) -> Vec<i64> {
     let (joints, directions) = z.split_at(z.len() - 2 * group.turning().len());
     let angles = directions.chunks_exact(2);

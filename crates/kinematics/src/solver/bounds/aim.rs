@@ -1,4 +1,4 @@
-//! Bounds of links by two of their points.
+//! Bounds links determined by two of their points.
 
 use super::errors::{Errors, size};
 use super::influence::Influences;
@@ -12,7 +12,7 @@ use crate::solver::elements::Arm;
 use crate::solver::state::State;
 use crate::{Ball, PointId, Vec2};
 
-/// An arm to a point whose error is known.
+/// An arm to a point with a known error.
 struct Towards<'a, S: Simd> {
     across: f64x2<S>,
     /// 1 / |e|^2.
@@ -45,12 +45,13 @@ impl<S: Simd> Meeting<f64x2<S>> for Towards<'_, S> {
         _: &PointOff<f64x2<S>>,
         _: &mut Influences,
     ) -> f64 {
-        // Across the way alone the turning closes on the end: along it what the way leaves open stays.
+        // The rotation closes the gap only across the vector. Along the vector, its own error
+        // remains.
         (self.end.left[order] + own).number(0)
     }
 }
 
-/// The way along an arm to a point, on this link.
+/// Returns the vector along an arm to a point, on this link.
 #[inline(always)]
 pub(super) fn limb_of<S: Simd, const FUSED: bool>(
     simd: S,
@@ -64,7 +65,7 @@ pub(super) fn limb_of<S: Simd, const FUSED: bool>(
 }
 
 impl Errors {
-    /// A link by two of its points.
+    /// Encloses a link determined by two of its points.
     #[inline(always)]
     pub(super) fn aim<S: Simd, const FUSED: bool>(
         &mut self,
@@ -85,7 +86,7 @@ impl Errors {
         self.set_link(arm.link, &error.enclosed(body), state, enclosure);
     }
 
-    /// A link both of whose ends are known.
+    /// Encloses a link with two known ends.
     #[inline(always)]
     pub(super) fn aim_at<S: Simd, const FUSED: bool>(
         &mut self,
@@ -115,8 +116,8 @@ impl Errors {
         true
     }
 
-    /// What is left of a link with this way to an end, by rows of influences, when the way leaves so much open of
-    /// itself; nothing where the link has no row.
+    /// Returns the rests of a link along this vector to an end, by influence rows. `own` is the
+    /// error that the vector itself leaves open. `None` if the link has no row.
     #[inline(never)]
     pub(super) fn turn_by_rows(
         &mut self,

@@ -1,4 +1,4 @@
-//! Bounds of what follows from points and links without a constraint to solve.
+//! Bounds points and links that follow from others without a constraint to solve.
 
 use super::driver::CrankDirection;
 use super::errors::{Errors, LinkError, PointError, size};
@@ -13,7 +13,8 @@ use crate::solver::elements::{ACCELERATION, VELOCITY};
 use crate::solver::state::State;
 use crate::{Ball, Constant, LinkId, PointId, Vec2};
 
-/// What moves a way on a link that is known, and what of it the way leaves open of itself.
+/// The change of a vector on a known link, and the part of its rest that the vector itself leaves
+/// open.
 #[derive(Clone, Copy)]
 struct Swung<V> {
     way: Moved<V>,
@@ -21,7 +22,8 @@ struct Swung<V> {
 }
 
 impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
-    /// What moves the way, or a rate of it, if rests of lower orders make so much of it.
+    /// Returns the change of the vector or of a rate. `carried` is the contribution of lower
+    /// orders' rests.
     #[inline(always)]
     fn swing(&self, drift: &Drift<V>, carried: V, (turned, slack): (&Turned<V>, V)) -> Swung<V> {
         let own = drift.new + carried + slack * turned.most;
@@ -29,7 +31,8 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         Swung { way, own }
     }
 
-    /// What moves the way and its rates, as far as they were found, on a link with this error.
+    /// Returns the changes of the vector and of its rates, up to `order`, on a link with this
+    /// error.
     #[inline(always)]
     fn swung(&self, order: u8, by: &LinkOff<V>) -> [Swung<V>; 3] {
         let turned = by.turned();
@@ -53,7 +56,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 }
 
 impl<V: Plane> LinkOff<V> {
-    /// What turns a link.
+    /// Returns the change of a link's direction.
     #[inline(always)]
     fn turned(&self) -> Turned<V> {
         let rest = self.rest[0];
@@ -64,7 +67,7 @@ impl<V: Plane> LinkOff<V> {
         }
     }
 
-    /// What changes its rate of an order.
+    /// Returns the change of the link's rate of an order.
     #[inline(always)]
     fn spun(&self, order: usize) -> Turned<V> {
         let (shift, rest) = (self.shift[order - 1], self.rest[order]);
@@ -77,7 +80,7 @@ impl<V: Plane> LinkOff<V> {
 }
 
 impl Errors {
-    /// What is left of a point that has no row to say it.
+    /// Returns the rest of a point without an influence row, and zeros for a point with one.
     pub(super) fn left_without_row(&self, point: PointId) -> [f64; 3] {
         if self.influences.has_point(point) {
             [0.0; 3]
@@ -86,7 +89,7 @@ impl Errors {
         }
     }
 
-    /// A point that rides on a link.
+    /// Encloses a point that rides on a link.
     #[inline(always)]
     pub(super) fn ride<S: Simd, const FUSED: bool>(
         &mut self,
@@ -132,8 +135,8 @@ impl Errors {
         self.set_point(point, &error, &x, state, enclosure);
     }
 
-    /// A point of the driven link, whose angle is the coordinate: X = r, V = k x r and A = -r. The link's pivot
-    /// is the origin of the solver's frame: whatever was typed for it, it is there, and at rest.
+    /// Encloses a point of the driven link, whose angle is the coordinate: X = r, V = k x r and A =
+    /// -r. The link's pivot is the origin of the solver's frame, so it is exact and at rest.
     #[inline(always)]
     pub(super) fn spin<S: Simd, const FUSED: bool>(
         &mut self,
@@ -157,7 +160,7 @@ impl Errors {
         self.set_point(point, &error, &x, state, enclosure);
     }
 
-    /// A link that keeps its angle to another one.
+    /// Encloses a link locked to another one.
     pub(super) fn lock(
         &mut self,
         [link, to]: [LinkId; 2],
@@ -188,7 +191,7 @@ impl Errors {
         self.put_link(link, &error, state, enclosure);
     }
 
-    /// What was found in twice the digits.
+    /// Stores results computed in double-double.
     pub(super) fn take(
         &mut self,
         part: PlacedPart,
@@ -211,7 +214,7 @@ impl Errors {
         }
     }
 
-    /// A point whose error has nothing to do with those of others.
+    /// Stores a point whose error is independent of all others.
     fn stand_alone(
         &mut self,
         point: PointId,
@@ -225,7 +228,7 @@ impl Errors {
         self.put_point(point, &error, state, enclosure);
     }
 
-    /// A link whose error has nothing to do with those of others.
+    /// Stores a link whose error is independent of all others.
     fn turn_alone(
         &mut self,
         link: LinkId,
@@ -240,7 +243,7 @@ impl Errors {
     }
 }
 
-/// d - R(turn) d0, to twice the digits.
+/// Returns d - R(turn) d0, in double-double.
 fn missed(d: Vec2, from: Vec2, turn: Vec2<Constant>) -> Vec2 {
     let simd = Fallback::new();
     let [turned, low] = LinkShape::unit(simd, turn).turned::<false>(vector(simd, from));

@@ -1,37 +1,38 @@
-//! What the driver's own coordinate can be off by, and the direction that it gives a crank.
+//! Bounds the error of the driver's coordinate, and of the direction that it gives a crank.
 
 use super::errors::LinkError;
 use crate::arithmetic::{Decimal, Halves, Product, U, half_ulp, typed_radius};
 use crate::{Double, Vec2, angle};
 
-/// Decimals of 15 digits are whole numbers from the one to below the other, in some unit;
+/// Minimum of a 15-digit decimal as a whole number, in a suitable unit. `MOST_DIGITS` is the upper
+/// limit.
 const LEAST_DIGITS: f64 = 1e14;
 const MOST_DIGITS: f64 = 1e15;
-/// and these are the inverses of the units: a double holds no larger power of ten.
+/// The inverses of these units. A double holds no larger power of ten exactly.
 const UNITS: [f64; 23] = [
     1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
-/// What a direction in twice the digits rounds, and the way to it.
+/// Rounding error of a double-double direction, and of the vector to it.
 const UNIT: f64 = 64.0 * U * U;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
-/// Where the driver's coordinate that was meant lies, seen from the double that it was read as: one of more
-/// than 15 digits is that double, one of fewer is the decimal that it reads back as.
+/// The intended driver coordinate, relative to the double as which it was read. A coordinate of
+/// more than 15 digits is that double. One of fewer digits is the decimal as which it is printed.
 #[derive(Clone, Copy, Debug, Default)]
 pub(in crate::solver) struct AskedCoordinate {
-    /// How much more it is,
+    /// The difference of the intended coordinate from the double.
     pub(in crate::solver) rest: f64,
-    /// and how far it can be from that.
+    /// The maximum error of that difference.
     pub(in crate::solver) radius: f64,
 }
 
 impl AskedCoordinate {
-    /// What is meant by a coordinate.
+    /// Returns the intended coordinate of a double.
     #[inline(always)]
     pub(in crate::solver) fn of<const FUSED: bool>(at: f64) -> AskedCoordinate {
-        // A whole number is itself.
+        // A whole number is exact.
         if at.abs() < MOST_DIGITS && at == at.trunc() {
             return AskedCoordinate::default();
         }
@@ -41,7 +42,7 @@ impl AskedCoordinate {
         let Some(unit) = unit_of(at.abs()) else {
             return AskedCoordinate::within(typed_radius(at));
         };
-        // Both are whole and below 2^53: their quotient is what the decimal is read as.
+        // Both are whole and below 2^53: their quotient is the double as which the decimal is read.
         let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
         let whole = hi.round_ties_even();
         if whole.abs() < MOST_DIGITS && whole / unit == at {
@@ -50,7 +51,7 @@ impl AskedCoordinate {
                 rest,
                 radius: rest.abs() * (4.0 * U),
             };
-            // Who gives 15 digits may have rounded them: the double counts as well.
+            // A number given with 15 digits may have been rounded: the double counts as well.
             let is_short = (whole * 0.1).round_ties_even() * 10.0 == whole;
             if is_short {
                 asked
@@ -62,19 +63,19 @@ impl AskedCoordinate {
         }
     }
 
-    /// Somewhere near.
+    /// Returns a coordinate within `radius` of the double.
     #[inline(always)]
     pub(super) fn within(radius: f64) -> AskedCoordinate {
         AskedCoordinate { rest: 0.0, radius }
     }
 
-    /// How far it can be from the double.
+    /// Returns the maximum distance from the double.
     #[inline(always)]
     pub(super) fn most(self) -> f64 {
         self.rest.abs() + self.radius
     }
 
-    /// The coordinate in twice the digits, of which this is the double.
+    /// Returns the double-double coordinate whose high part is the double.
     pub(in crate::solver) fn close(self, at: f64) -> Double {
         Double {
             hi: at,
@@ -83,7 +84,8 @@ impl AskedCoordinate {
     }
 }
 
-/// From here on a decimal of 15 digits need not be a double, whole as it is.
+/// Returns the radius of a coordinate so large that a decimal of 15 digits need not be a double,
+/// although it is whole.
 #[cold]
 fn typed_radius_of_many(at: f64) -> f64 {
     if Decimal::of(at).is_double {
@@ -93,7 +95,7 @@ fn typed_radius_of_many(at: f64) -> f64 {
     }
 }
 
-/// The least power of ten that makes a size one of 15 digits before the point.
+/// Returns the smallest power of ten that gives a size 15 digits before the decimal point.
 #[inline(always)]
 fn unit_of(size: f64) -> Option<f64> {
     // 2^e <= size: its decimal exponent is at least that of 2^e, and at most one more.
@@ -104,7 +106,7 @@ fn unit_of(size: f64) -> Option<f64> {
     UNITS.get(if is_enough { less } else { most }).copied()
 }
 
-/// A crank's direction to twice the digits, as two vectors, and how far it can be from that.
+/// A crank's direction in double-double, as two vectors, and its maximum error.
 pub(super) struct CrankDirection {
     pub d: Vec2,
     pub low: Vec2,
@@ -112,14 +114,15 @@ pub(super) struct CrankDirection {
 }
 
 impl CrankDirection {
-    /// Of a driver that pushes.
+    /// The direction for a driver that pushes.
     pub(super) const NONE: CrankDirection = CrankDirection {
         d: Vec2::X,
         low: Vec2::ZERO,
         off: 0.0,
     };
 
-    /// At an angle in degrees. A long chain makes much of little: there it is found to all of these digits.
+    /// Computes the direction at an angle in degrees. Long chains amplify small errors, so they get
+    /// all digits.
     #[inline(always)]
     pub(super) fn at<const FUSED: bool>(
         at: f64,
@@ -141,7 +144,7 @@ impl CrankDirection {
         }
     }
 
-    /// The error of a computed direction.
+    /// Returns the error of a computed direction.
     #[inline(always)]
     pub(super) fn error_of(&self, d: Vec2) -> LinkError {
         LinkError::of_way(d, self.low + (self.d - d), self.off)

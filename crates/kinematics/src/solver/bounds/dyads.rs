@@ -1,4 +1,4 @@
-//! Bounds of the dyads that stand on circles and on rails of the ground.
+//! Bounds the dyads on circles and on rails of the ground.
 
 use super::aim::limb_of;
 use super::errors::Errors;
@@ -15,22 +15,23 @@ use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number, others};
 use crate::solver::elements::{CircleRail, Circles};
 use crate::solver::state::State;
 
-/// What a computed inverse rounds in long chains, in units of its condition number.
+/// Rounding error of a computed inverse in long chains, in units of its condition number.
 const INVERSE: f64 = 16.0 * U;
 
-/// What an arm leaves open of a constraint along it: of its own, and of what its point carries. That is nothing where
-/// a row says it, but for what the computed inverse makes of it.
+/// Returns the error that an arm leaves open in a constraint along it: its own, and that of its
+/// pivot. The pivot's row covers the latter if there is one, except for the error of the computed
+/// inverse.
 fn open(length: f64, (own, left): (f64, f64), has_row: bool, condition: f64) -> f64 {
     let inexact = INVERSE * condition;
     let carried = if has_row { 0.0 } else { 1.0 };
     length * (own * (1.0 + inexact) + left * (carried + inexact))
 }
 
-/// Two arms, from end to end.
+/// Two arms that meet at their ends.
 struct ArmPair<'a, S: Simd> {
-    /// The ways, each in the place of the other one,
+    /// The vectors of the arms, swapped.
     others: f64x4<S>,
-    /// and these over e1 x e2, for the second arm with the other sign.
+    /// The swapped vectors divided by e1 x e2, with the opposite sign for the second arm.
     turning: f64x4<S>,
     gains: f64x4<S>,
     lengths: f64x4<S>,
@@ -52,7 +53,7 @@ impl<'a, S: Simd> ArmPair<'a, S> {
         }
     }
 
-    /// Says by rows how sources move the joint.
+    /// Writes the row of the joint.
     fn write_rows(&self, rows: &mut Influences) {
         let gradients = [self.others.vector(1), self.others.vector(0)];
         let columns = [
@@ -70,7 +71,7 @@ impl<S: Simd> Meeting<f64x4<S>> for ArmPair<'_, S> {
         self.gains
     }
 
-    /// The second arm sees the gap from the other side.
+    /// Returns the rotations and the gap. The second arm has the gap with the opposite sign.
     #[inline(always)]
     fn close(&self, _: usize, ends: f64x4<S>) -> (f64x4<S>, f64x4<S>) {
         let gap = others(ends) - ends;
@@ -121,7 +122,7 @@ struct OnRail<'a, S: Simd> {
 }
 
 impl<S: Simd> OnRail<'_, S> {
-    /// As [`ArmPair::write_rows`].
+    /// Writes the row of the joint. As [`ArmPair::write_rows`].
     fn write_rows(&self, rows: &mut Influences) {
         let [n, e] = [self.rail.normal, self.way].map(|v| v.vector(0));
         let inverse = self.inverse.number(0);
@@ -138,7 +139,7 @@ impl<S: Simd> Meeting<f64x2<S>> for OnRail<'_, S> {
         self.inverse.abs()
     }
 
-    /// n . (k x e) is e . t.
+    /// Returns the rotation and the gap. n . (k x e) is e . t.
     #[inline(always)]
     fn close(&self, order: usize, ends: f64x2<S>) -> (f64x2<S>, f64x2<S>) {
         let gap = self.rail.values[order] + self.rail.normal.dot(ends);

@@ -1,5 +1,5 @@
-//! Bounds near an end of the motion, where the formulas in doubles say nothing: those of the same steps
-//! in twice the digits, from the numbers that are meant.
+//! Bounds states near an end of the motion, where formulas in doubles fail, by running the steps in
+//! double-double with typed decimals.
 
 use super::Errors;
 use super::errors::{LinkError, PointError};
@@ -10,7 +10,8 @@ use crate::solver::{Order, Solver, Workspace};
 use crate::{Ball, Double};
 
 impl Solver {
-    /// Runs the steps of a mechanism of dyads in twice the digits; whether that proves where they are.
+    /// Runs the steps of a mechanism of dyads in double-double. Returns `true` if that proves their
+    /// results.
     #[cold]
     pub(super) fn look_at_edge(
         &self,
@@ -19,7 +20,7 @@ impl Solver {
         work: &mut Workspace<Ball>,
     ) -> bool {
         let is_dyads = self.engine.program.coupled.is_empty();
-        // At a dead point there is nothing to prove rates by, and near a change point a series tells.
+        // Rates at a dead point cannot be proved, and near a change point a series is used.
         if !is_dyads || state.condition != Condition::Ok || self.is_passing(state.at) {
             return false;
         }
@@ -29,13 +30,13 @@ impl Solver {
         };
         let at = Sharp::new(Double::exactly(state.at), asked);
         let how = (&state.signs[..], None);
-        // What coordinates were rounded by is in the bounds of doubles alone.
+        // Only the bounds of doubles include the rounding of coordinates.
         exact.tells(exact.closed) && exact.run(exact.closed, at, order, how, edge) == Condition::Ok
     }
 }
 
 impl Errors {
-    /// What was found in twice the digits. Its influence on what stands on it is in what was found there.
+    /// Stores the double-double results. They already contain their influence on later parts.
     pub(super) fn take_edge(
         &mut self,
         part: PlacedPart,

@@ -1,8 +1,8 @@
-//! What is known of the errors of a state's points and links.
+//! Stores the errors of a state's points and links.
 //!
-//! The true figure is what was computed, plus a shift, plus a rest. The shift is signed: it is what the
-//! residuals say, to the first order. The rest is only known to be small: what no residual tells, such
-//! as what a typed coordinate of the driver is off by, and what is of the second order.
+//! The true value is the computed value plus a shift plus a rest. The shift is signed: the
+//! first-order correction from the residuals. Only a bound of the rest is known: errors that no
+//! residual shows, such as the error of a typed driver coordinate, and terms of second order.
 
 use super::driver::AskedCoordinate;
 use super::influence::Influences;
@@ -17,54 +17,55 @@ use crate::solver::engine::Engine;
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Ball, Constant, Double, LinkId, PointId, Vec2};
 
-/// The length of a vector is at most its larger component and this part of the other one: where they are equal, and
-/// where one is zero, that is what it is, and in between it is less.
+/// The length of a vector is at most its larger component plus this multiple of the smaller one.
+/// That is exact if the components are equal or if one is zero, and too much in between.
 const SQRT_2_LESS_1: f64 = 0.414_213_562_4;
 
 /// The errors of a point's position, velocity and acceleration.
 ///
-/// Aligned as states are, see [`PointState`].
+/// Aligned like states, see [`PointState`].
 #[derive(Clone, Copy, Debug)]
 #[repr(align(128))]
 pub(super) struct PointError {
     pub shift: [Vec2; 3],
-    /// Bounds of the length of the rest, with what adding up the shift rounds.
+    /// Bounds of the length of the rest, including the rounding of the shift's sums.
     pub left: [f64; 3],
 }
 
-/// The errors of a link's direction, angular velocity and acceleration.
+/// The errors of a link's direction, angular velocity and angular acceleration.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub(super) struct LinkError {
-    /// By how much the true direction is longer than the computed one, and turned: d becomes d (1 + x + i y).
+    /// The relative stretch and the rotation of the true direction: d becomes d (1 + x + i y).
     pub turn: Vec2,
-    /// Of the velocity and of the acceleration.
+    /// The shifts of the angular velocity and of the angular acceleration.
     pub shift: [f64; 2],
-    /// Bounds of the rest: of the direction and of the rates.
+    /// Bounds of the rests of the direction and of the two rates.
     pub rest: [f64; 3],
 }
 
-/// Of all points and links, and what of their rests comes from which constraint.
+/// The errors of all points and links, and the influence of each constraint on their rests.
 #[derive(Clone, Debug, Default)]
 pub(in crate::solver) struct Errors {
     pub(super) points: Vec<PointError>,
     pub(super) links: Vec<LinkError>,
     pub(super) influences: Influences,
-    /// The same in twice the digits: what rare steps and the forces are run in.
+    /// The state in double-double, in which rare steps and the forces run.
     pub(in crate::solver) sharp: Option<Box<Workspace<Sharp>>>,
-    /// Whether a step asks for these, whatever is asked for; and whether anything of this run does.
+    /// Whether some step always needs the double-double state. `feeds_sharp`: whether this run
+    /// needs it.
     has_close_steps: bool,
     feeds_sharp: bool,
-    /// All steps in the numbers that are meant, for what is near to an end.
+    /// The state of all steps run with typed decimals, for states near an end of the motion.
     pub(in crate::solver) edge: Option<Box<State<Sharp>>>,
-    /// Whether numbers stand for the decimals that they were typed as.
+    /// Whether numbers represent the decimals as which they were typed.
     pub(super) is_decimal: bool,
-    /// How far the driver's coordinate can be from what was meant where it was not typed but follows from a time, in
-    /// its own unit.
+    /// The maximum error of a driver coordinate that was not typed but follows from a time, in its
+    /// own unit.
     pub(in crate::solver) driven: f64,
 }
 
-/// The sum of the sizes of the components.
+/// Returns the sum of the absolute values of the components.
 #[inline(always)]
 pub(super) fn size(v: Vec2) -> f64 {
     v.x.abs() + v.y.abs()
@@ -77,14 +78,14 @@ fn sharp(value: Vec2, shift: Vec2, rest: f64) -> Vec2<Sharp> {
     )
 }
 
-/// From a computed value to one in twice the digits, and a bound of what is left: with what the way rounds,
-/// which is two sums, and as much again.
+/// Returns the difference of a double-double value from a computed one, and a bound of its rest.
+/// The bound includes the rounding of the difference, which takes two sums, twice over.
 fn way(sharp: Sharp, value: f64) -> (f64, f64) {
     let way = sharp.way_from(value);
     (way, sharp.radius + 4.0 * U * way.abs())
 }
 
-/// The same of a vector.
+/// Returns the difference of a double-double vector from a computed one, and a bound of its rest.
 fn ways(sharp: Vec2<Sharp>, value: Vec2) -> (Vec2, f64) {
     let ((x, rest_x), (y, rest_y)) = (way(sharp.x, value.x), way(sharp.y, value.y));
     // Written so that NaN is kept.
@@ -102,7 +103,7 @@ impl PointError {
         PointError { shift, left }
     }
 
-    /// Of a point that was found in twice the digits.
+    /// Creates the error of a point computed in double-double.
     pub(super) fn of_sharp(sharp: &PointState<Sharp>, value: &PointState) -> PointError {
         let found = [
             ways(sharp.p, value.p),
@@ -122,10 +123,11 @@ impl PointError {
 }
 
 impl LinkError {
-    /// Where the true direction is so much beyond the computed one, but for the rest.
+    /// Creates the error of a link whose true direction is `d + way`, up to `rest`.
     #[inline(always)]
     pub(super) fn of_way(d: Vec2, way: Vec2, rest: f64) -> LinkError {
-        // 1 / d is the conjugate of d, over the square of a length that is as far from 1 as this way is long.
+        // 1 / d is the conjugate of d over the square of its length, which differs from 1 by at
+        // most |way|.
         let most = size(way) + rest;
         LinkError {
             turn: way.turned(d.conj()),
@@ -134,7 +136,7 @@ impl LinkError {
         }
     }
 
-    /// Of a link that was found in twice the digits.
+    /// Creates the error of a link computed in double-double.
     pub(super) fn of_sharp(sharp: &LinkState<Sharp>, value: &LinkState) -> LinkError {
         let (direction, turned) = ways(sharp.d, value.d);
         let ((w, rest_w), (a, rest_a)) = (way(sharp.w, value.w), way(sharp.a, value.a));
@@ -158,7 +160,8 @@ impl LinkError {
 }
 
 impl Errors {
-    /// Room for the errors of an engine's states: those of its constants, of which `meant` knows best what they are.
+    /// Creates the errors for an engine's states, with those of its constants. The most accurate
+    /// constants are those of `meant`.
     pub(super) fn new(engine: &Engine, meant: &Engine, sharp: Workspace<Sharp>) -> Errors {
         let program = &meant.program;
         let computed = &engine.program;
@@ -186,7 +189,8 @@ impl Errors {
         }
     }
 
-    /// Where the driver's coordinate lies that was meant; close to an end of the motion its double may be meant as well.
+    /// Returns the enclosure of the intended driver coordinate. Close to an end of the motion the
+    /// double itself may be intended as well.
     #[inline(always)]
     pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> AskedCoordinate {
         let asked = AskedCoordinate::of::<FUSED>(at);
@@ -197,7 +201,7 @@ impl Errors {
         }
     }
 
-    /// Before a state, and whether its forces are asked for.
+    /// Starts the errors of a state.
     pub(super) fn begin(&mut self, with_forces: bool) {
         self.influences.begin();
         self.feeds_sharp = with_forces || self.has_close_steps;
@@ -213,7 +217,7 @@ impl Errors {
         &self.links[link.index()]
     }
 
-    /// Where a slide is, in twice the digits, where these are asked for.
+    /// Computes a slide's travel in double-double if this run needs it.
     pub(super) fn travel(&mut self, step: &Step, order: u8) {
         if self.feeds_sharp
             && let Some(sharp) = &mut self.sharp
@@ -222,7 +226,7 @@ impl Errors {
         }
     }
 
-    /// Notes the error of a point that is here, and encloses it.
+    /// Stores the error of a point with the values `here`, and encloses it.
     #[inline(always)]
     pub(super) fn set_point<S: Simd>(
         &mut self,
@@ -240,7 +244,7 @@ impl Errors {
         }
     }
 
-    /// The same of an error that was found apart.
+    /// Stores the error of a point that was computed separately, and encloses it.
     pub(super) fn put_point(
         &mut self,
         point: PointId,
@@ -253,7 +257,7 @@ impl Errors {
         self.set_point(point, &PointOff::of(simd, error), &here, state, enclosure);
     }
 
-    /// Notes the error of a link, and encloses it.
+    /// Stores the error of a link, and encloses it.
     #[inline(always)]
     pub(super) fn set_link<S: Simd>(
         &mut self,
@@ -270,7 +274,7 @@ impl Errors {
         }
     }
 
-    /// The same of an error that was found apart.
+    /// Stores the error of a link that was computed separately, and encloses it.
     pub(super) fn put_link(
         &mut self,
         link: LinkId,

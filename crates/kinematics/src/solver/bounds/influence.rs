@@ -1,12 +1,14 @@
-//! How what is not known of one part moves what stands on it, where that is not little.
+//! Propagates unknown errors to dependent parts in long chains.
 //!
-//! Each constraint of a dyad is a source: its value is off by something unknown below a bound, at each order; so is
-//! what else a step places, whatever it stands on. Points and links carry by how much each source before them moves
-//! them: rows of the inverse of the whole matrix, which is block triangular, found forwards. Summed in the end over
-//! sources by size, they give bounds that do not widen from group to group.
+//! Each constraint of a dyad is a source: its value has an unknown error below a bound, at each
+//! order. All other errors of a step's results are sources as well, independent of their
+//! dependencies. Points and links store how much each earlier source moves them. These are rows of
+//! the inverse of the whole matrix, which is block triangular, computed forwards. Summed over the
+//! sources by absolute value, they give bounds that do not widen from group to group.
 //!
-//! Rests are of the second order, but for digits that nobody typed: through a few groups they can widen as they like,
-//! and nobody has a row. A row is kept only as long as a later step reads it.
+//! Rests are of second order, apart from uncertain typed digits. Through a few groups they may
+//! widen freely, so short chains have no rows. A row is kept only until the last step that reads
+//! it.
 
 use super::limb::SUM;
 use crate::solver::coupled::Coupled;
@@ -16,7 +18,8 @@ use crate::solver::plan::Program;
 use crate::{LinkId, PointId, Vec2};
 use std::f64::consts::SQRT_2;
 
-/// By how much each of the first sources moves a point, or in x a link's angle.
+/// The displacement of a point by a unit of each source so far. A link's row has its rotation in
+/// `x`.
 #[derive(Clone, Debug, Default)]
 struct InfluenceRow {
     x: Vec<f64>,
@@ -27,22 +30,23 @@ struct InfluenceRow {
 /// The sources so far, and the rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Influences {
-    /// Bounds of the sources, by order.
+    /// The bounds of the sources, by order.
     bounds: [Vec<f64>; 3],
     known: usize,
     is_long: bool,
-    /// The first one stays empty: what stands on no source.
+    /// The rows. The first one stays empty, for parts without a source.
     rows: Vec<InfluenceRow>,
-    /// Where the rows of points and links are; the first one of those that have none.
+    /// The row index of each point; `links` has those of the links. It is 0 for parts without a
+    /// row.
     points: Vec<usize>,
     links: Vec<usize>,
 }
 
-/// Dyads through which rests may widen: each can make them ten times as large, and a rest is a rounding of a
-/// rounding.
+/// Maximum number of dyads through which rests may widen freely. Each dyad can enlarge them
+/// tenfold, and a rest is a rounding error of a rounding error.
 const FEW: usize = 8;
 
-/// How many sources a step has at most.
+/// Returns the maximum number of sources of a step.
 fn sources(step: &Step, coupled: &[Coupled]) -> usize {
     let mut count = 0;
     step.outputs(coupled, &mut |part| {
@@ -55,7 +59,7 @@ fn sources(step: &Step, coupled: &[Coupled]) -> usize {
     count
 }
 
-/// Whether a step makes rows of rows.
+/// Returns `true` if a step computes rows from rows.
 fn reads_rows(step: &Step) -> bool {
     matches!(
         step,
@@ -63,13 +67,13 @@ fn reads_rows(step: &Step) -> bool {
     )
 }
 
-/// Whether what a step places has rows.
+/// Returns `true` if the results of a step have rows.
 fn writes_rows(step: &Step) -> bool {
     !matches!(step, Step::Crank(_) | Step::Spin(_) | Step::SlideReadout(_))
 }
 
-/// Who has a row: joints of dyads, and what these stand on. Of the rest, which nothing stands on, the
-/// bounds may add up at once.
+/// The parts that need a row: joints of dyads, and the parts on which they depend. For all other
+/// parts, with no dependents, the bounds may be added directly.
 struct Needed {
     points: Vec<bool>,
     links: Vec<bool>,
@@ -114,7 +118,7 @@ impl Needed {
     }
 }
 
-/// A weighted sum of sizes. What is not bounded does not reach what does not stand on it.
+/// Returns a weighted sum of bounds. An unbounded source does not affect parts independent of it.
 fn summed(row: &[f64], bounds: &[f64]) -> f64 {
     let terms = row.iter().zip(bounds);
     let term = |(v, b): (&f64, &f64)| if *v == 0.0 { 0.0 } else { v.abs() * b };
@@ -136,7 +140,7 @@ impl InfluenceRow {
         self.len = len;
     }
 
-    /// Adds M row, M by its columns.
+    /// Adds M times `row`, with M given by its columns.
     #[inline(always)]
     fn add(&mut self, row: &InfluenceRow, [first, second]: [Vec2; 2]) {
         let from = row.x[..row.len].iter().zip(&row.y[..row.len]);
@@ -147,7 +151,7 @@ impl InfluenceRow {
         }
     }
 
-    /// Adds g . row to x.
+    /// Adds g . `row` to x.
     #[inline(always)]
     fn add_across(&mut self, row: &InfluenceRow, g: Vec2) {
         let from = row.x[..row.len].iter().zip(&row.y[..row.len]);
@@ -158,7 +162,7 @@ impl InfluenceRow {
 }
 
 impl Influences {
-    /// Room for the sources and rows of a program.
+    /// Creates the sources and rows of a program.
     pub(super) fn new(program: &Program) -> Influences {
         let counts = program
             .steps
@@ -189,7 +193,7 @@ impl Influences {
         }
     }
 
-    /// Gives every part a row that no other one has as long as it is read.
+    /// Assigns each part a row that no other part uses as long as it is read.
     fn share_rows(&mut self, program: &Program, sources: usize) {
         let needed = Needed::of(program);
         let mut last_points = vec![0; program.points.len()];
@@ -236,46 +240,48 @@ impl Influences {
         }
     }
 
-    /// Before a state: no source is known.
+    /// Starts a state, without sources.
     pub(super) fn begin(&mut self) {
         self.known = 0;
     }
 
-    /// Whether there are so many dyads that little comes to much.
+    /// Returns `true` if there are so many dyads that small errors add up.
     #[inline(always)]
     pub(super) fn is_long(&self) -> bool {
         self.is_long
     }
 
-    /// The same, asked of code that is compiled once for short chains alone: `FUSED`.
+    /// Returns `true` if the chain is long. Code compiled only for short chains (`FUSED`) gets
+    /// `false`.
     #[inline(always)]
     pub(super) fn matter<const FUSED: bool>(&self) -> bool {
         !FUSED && self.is_long
     }
 
-    /// Whether a point has a row.
+    /// Returns `true` if a point has a row.
     #[inline(always)]
     pub(super) fn has_point(&self, point: PointId) -> bool {
         self.points[point.index()] != 0
     }
 
-    /// Whether a link has one.
+    /// Returns `true` if a link has a row.
     #[inline(always)]
     pub(super) fn has_link(&self, link: LinkId) -> bool {
         self.links[link.index()] != 0
     }
 
-    /// A point whose errors, below these bounds, have nothing to do with those of others.
+    /// Writes the row of a point whose errors, within these bounds, are independent of all others.
     pub(super) fn point_alone(&mut self, point: PointId, bounds: [f64; 3]) {
         self.write_point(point, bounds, |_, _| {});
     }
 
-    /// A link whose errors, below these bounds, have nothing to do with those of others.
+    /// Writes the row of a link whose errors, within these bounds, are independent of all others.
     pub(super) fn link_alone(&mut self, link: LinkId, bounds: [f64; 3]) {
         self.write_link(link, bounds, |_, _| {});
     }
 
-    /// Writes the row of a point from others, and what is new at it: two sources that move it along its axes.
+    /// Writes the row of a point from other rows. Its new errors are two sources that move it along
+    /// the axes.
     fn write_point(
         &mut self,
         point: PointId,
@@ -285,7 +291,7 @@ impl Influences {
         self.write_moved(point, [Vec2::X, Vec2::X.perp()], bounds, write);
     }
 
-    /// The same where the sources move it by these columns.
+    /// Writes the row of a point whose two new sources move it by the given columns.
     fn write_moved(
         &mut self,
         point: PointId,
@@ -306,7 +312,7 @@ impl Influences {
         }
     }
 
-    /// The same of a link.
+    /// Writes the row of a link from other rows. Its new error is one source.
     fn write_link(
         &mut self,
         link: LinkId,
@@ -333,8 +339,9 @@ impl Influences {
         &self.rows[self.links[link.index()]]
     }
 
-    /// A point by two constraints with these gradients, to each of which belongs a column of the inverse. A
-    /// constraint may be one towards another point. They are new sources, whose bounds are not known yet.
+    /// Writes the row of a point determined by two constraints with these gradients. `columns` are
+    /// the corresponding columns of the inverse. A constraint may refer to another point. The two
+    /// are new sources, whose bounds are set later by [`Influences::bound`].
     #[inline(never)]
     pub(super) fn pair(
         &mut self,
@@ -352,14 +359,16 @@ impl Influences {
         });
     }
 
-    /// Bounds the constraints of the newest point; gives what all sources can do to it.
+    /// Sets the bounds of the constraints of the newest point, and returns the effect of all
+    /// sources on it.
     #[inline(never)]
     pub(super) fn bound(&mut self, point: PointId, order: usize, bounds: [f64; 2]) -> f64 {
         self.bounds[order][self.known - 2..self.known].copy_from_slice(&bounds);
         self.of_point(point, order)
     }
 
-    /// The angle of a link with two points on it: `across` is the derivative by the way between them.
+    /// Writes the row of a link determined by two points, and returns the effect of all sources.
+    /// `across` is the derivative of its angle by the vector between the points.
     #[inline(never)]
     pub(super) fn between(
         &mut self,
@@ -375,7 +384,8 @@ impl Influences {
         self.of_link(link)
     }
 
-    /// A point that rides on a link: `arm` is its derivative by the angle.
+    /// Writes the row of a point that rides on a link, and returns the effect of all sources. `arm`
+    /// is its derivative by the link's angle.
     #[inline(never)]
     pub(super) fn ride(
         &mut self,
@@ -391,7 +401,7 @@ impl Influences {
         [0, 1, 2].map(|order| self.of_point(point, order))
     }
 
-    /// A link that turns with another one.
+    /// Writes the row of a link locked to another one, and returns the effect of all sources.
     #[inline(never)]
     pub(super) fn lock(&mut self, link: LinkId, new: [f64; 3], to: LinkId) -> [f64; 3] {
         self.write_link(link, new, |row, all| {
@@ -400,7 +410,7 @@ impl Influences {
         self.of_link(link)
     }
 
-    /// What all sources can do to a point.
+    /// Returns the effect of all sources on a point.
     fn of_point(&self, point: PointId, order: usize) -> f64 {
         let (row, bounds) = (self.point(point), &self.bounds[order]);
         let [x, y] = [&row.x, &row.y].map(|row_of| summed(&row_of[..row.len], bounds));
@@ -409,7 +419,7 @@ impl Influences {
         most * SQRT_2 * (1.0 + SUM)
     }
 
-    /// What all sources can do to a link's angle and its rates.
+    /// Returns the effect of all sources on a link's angle and its rates.
     fn of_link(&self, link: LinkId) -> [f64; 3] {
         let row = self.link(link);
         [0, 1, 2].map(|order| summed(&row.x[..row.len], &self.bounds[order]) * (1.0 + SUM))

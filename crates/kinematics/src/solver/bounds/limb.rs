@@ -1,16 +1,18 @@
-//! Two points of one link: by how much the way between them, as computed, misses what the link says of it, and
-//! what the true way is then.
+//! Compares the vector between two points of a link, as computed, with the link's shape, and
+//! corrects it.
 //!
-//! With d the link's computed direction, omega and alpha its computed rates, l the place of the one point seen from
-//! the other in the link's frame, and e the computed way with its rates w and a,
+//! Let d be the link's computed direction, omega and alpha its computed rates, and l the position
+//! of one point relative to the other in the link's frame. With e the computed vector, and w and a
+//! its rates,
 //!
 //! ```text
 //! e = R(d) l + miss      w = omega k x e + rho      a = alpha k x e + omega k x w + sigma
 //! ```
 //!
-//! where miss, rho and sigma would be zero without rounding. They are found in twice the digits; everything that
-//! follows from them is small, and doubles will do. The true direction is d (1 + s + i theta), the true rates are
-//! omega + omega' and alpha + alpha', and so the true way and its rates are, to the first order,
+//! where miss, rho and sigma would be zero without rounding errors. They are computed in
+//! double-double. Everything derived from them is small, so doubles suffice. The true direction is
+//! d (1 + s + i theta), the true rates are omega + omega' and alpha + alpha'. To first order, the
+//! true vector and its rates are
 //!
 //! ```text
 //! e + de     de = (s e - miss)                                + theta k x e
@@ -18,27 +20,30 @@
 //! a + da     da = (alpha k x de + omega k x dw + omega' k x w - sigma) + alpha' k x e
 //! ```
 //!
-//! What is in brackets is known before the order's own turning: the drift. All sizes are lengths of vectors, or more.
-//! What the first order leaves out are products of two errors: one of the turning with one of the way, at each order
-//! at most `slack` times the turning; and the others where they arise.
+//! The terms in brackets, the drift, are known before the rotation of that order. All sizes are
+//! lengths of vectors, or upper bounds of these. The first order leaves out products of two errors:
+//! of the rotation and the vector, at each order at most `slack` times the rotation; and others
+//! where they arise.
 
 use super::places::{Bodies, Places};
 use super::shape::LinkShape;
 use crate::arithmetic::U;
 use crate::arithmetic::plane::Plane;
 
-/// What residuals in twice the precision still round, in parts of the size of their terms.
+/// Rounding error of residuals in double-double, relative to the size of their terms.
 pub(super) const RESIDUAL: f64 = 32.0 * U * U;
-/// A way may be longer than its link says by this part of it; beyond that nothing is said of it.
+/// Maximum relative amount by which a vector may be longer than its link. Beyond it nothing is
+/// proved.
 const LONGER: f64 = 1.0 / 1_048_576.0;
-/// What a short sum of products in doubles rounds, in parts of the size of its terms.
+/// Rounding error of a short sum of products in doubles, relative to the size of its terms.
 pub(super) const SUM: f64 = 8.0 * U;
-/// What a turning found by a computed way rounds besides, and what e leaves out of that, in parts of the way: see
-/// [`meet`](super::meeting::meet).
+/// Additional rounding error of a rotation computed from a computed vector, including the low part
+/// of e, relative to the vector's length: see [`meet`](super::meeting::meet).
 const TURNING: f64 = 16.0 * U;
 
-/// What moves a way, or a rate of it, besides the order's own turning: the shift, how far it is moved at most, and what
-/// is not known of it but for what the rests of lower orders make of it, see [`Limb::carried_rate`].
+/// The change of a vector, or of its rate, without the rotation of its own order: the shift, its
+/// maximum size, and the unknown part. The latter excludes the contribution of rests of lower
+/// orders, see [`Limb::carried_rate`].
 #[derive(Clone, Copy)]
 pub(super) struct Drift<V> {
     pub shift: V,
@@ -46,7 +51,7 @@ pub(super) struct Drift<V> {
     pub new: V,
 }
 
-/// What moves a vector: the shift to the first order, how far it is moved at most, and what is not known of it.
+/// The change of a vector: the first-order shift, its maximum size, and the unknown part.
 #[derive(Clone, Copy)]
 pub(super) struct Moved<V> {
     pub shift: V,
@@ -54,7 +59,7 @@ pub(super) struct Moved<V> {
     pub rest: V,
 }
 
-/// The same of an angle or of its rates.
+/// The change of an angle or of its rates.
 #[derive(Clone, Copy)]
 pub(super) struct Turned<V> {
     pub shift: V,
@@ -62,35 +67,37 @@ pub(super) struct Turned<V> {
     pub rest: V,
 }
 
-/// A way between two points of a link, with what it misses; or two such at once. What the rates miss is found when it is
-/// asked for: it has nothing to do with what the orders before have come to, and so takes no time beside that.
+/// A vector between two points of a link with its residual, or two such vectors at once. The
+/// residuals of the rates are computed on demand: they do not depend on the results of lower
+/// orders, so both computations overlap.
 pub(super) struct Limb<V, const FUSED: bool> {
     pub e: V,
-    /// k x e, and of what e leaves out of the way.
+    /// k x e, for the high and the low part of the vector.
     pub across: [V; 2],
     ends: [Places<V>; 2],
     omega: V,
     alpha: V,
     miss: V,
-    /// By how much the true direction is longer than the computed one.
+    /// The relative amount by which the true direction is longer than the computed one.
     pub stretch: V,
-    /// |s e| + |miss| at most, |e| at most, and what typed digits and residuals leave open of e: eight times as much
-    /// of residuals as theirs, which covers, times the link's rates, the residuals of the way's.
+    /// Upper bound of |s e| + |miss|. `length` is an upper bound of |e|, and `open` the error of e
+    /// from typed digits and residuals. It contains eight times the error of the residuals, so that
+    /// its product with the link's rates also covers the residuals of the vector's rates.
     strain: V,
     pub length: V,
     open: V,
 }
 
-/// The rate of a way.
+/// The rate of a vector.
 pub(super) struct LimbRate<V> {
-    /// k x w, and of what w leaves out.
+    /// k x w, for the high and the low part.
     across: [V; 2],
-    /// |w| at most.
+    /// Upper bound of |w|.
     speed: V,
 }
 
 impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
-    /// From `p` to `x`, on a link in a direction that is too short by `stretch`.
+    /// Creates the vector from `p` to `x`, on a link whose direction is too short by `stretch`.
     #[inline(always)]
     pub(super) fn new(
         x: &Places<V>,
@@ -118,19 +125,19 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         }
     }
 
-    /// The rate of the way, and rho.
+    /// Computes the rate of the vector, and rho.
     #[inline(always)]
     fn see_rate(&self) -> ([V; 2], V) {
         let [x, p] = &self.ends;
         let [w, low] = x.v.plus(-p.v);
         let [across, lost] = self.across;
         let [turning, rest] = self.omega.times::<FUSED>(across);
-        // The first two are all but equal.
+        // The first two are nearly equal.
         let rho = (w - turning) + (low - (rest + self.omega * lost));
         ([w.perp(), low.perp()], rho)
     }
 
-    /// Sigma.
+    /// Computes sigma.
     #[inline(always)]
     fn see_second(&self, rate: &LimbRate<V>) -> V {
         let [x, p] = &self.ends;
@@ -143,10 +150,11 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         (a - sum) + (low - small)
     }
 
-    /// What moves e besides the turning.
+    /// Returns the drift of e.
     #[inline(always)]
     pub(super) fn drift(&self) -> Drift<V> {
-        // The direction's length is 1 to the first order in the stretch; the second is in the strain.
+        // The direction's length is 1 to first order in the stretch; the second order is part of
+        // the strain.
         let rounding = self.stretch.abs() * 2.0 + SUM;
         Drift {
             shift: self.e * self.stretch - self.miss,
@@ -155,7 +163,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         }
     }
 
-    /// The same of its rate, once it is known what moves e; and that rate.
+    /// Returns the drift of the rate, given the change of e, and the rate.
     #[inline(always)]
     pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, LimbRate<V>) {
         let (across, rho) = self.see_rate();
@@ -170,7 +178,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         (drift, LimbRate { across, speed })
     }
 
-    /// The same of its second rate, once it is known what moves the angular velocity.
+    /// Returns the drift of the second rate, given the changes of e, w and the angular velocity.
     #[inline(always)]
     pub(super) fn drift_of_second(
         &self,
@@ -191,51 +199,55 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         }
     }
 
-    /// What a rest of e makes of the rate.
+    /// Returns the contribution of a rest of e to the rate.
     #[inline(always)]
     pub(super) fn carried_rate(&self, e: V) -> V {
         self.omega.abs() * e
     }
 
-    /// What a rest of e makes of the second rate.
+    /// Returns the contribution of a rest of e to the second rate.
     #[inline(always)]
     pub(super) fn carried_second(&self, e: V) -> V {
         self.alpha.abs() * e
     }
 
-    /// What rests of w and of the angular velocity make of it.
+    /// Returns the contribution of rests of w and of the angular velocity to the second rate.
     #[inline(always)]
     pub(super) fn carried_by_rate(&self, w: V, rate: &LimbRate<V>, spin: V) -> V {
         self.omega.abs() * w + rate.speed * spin
     }
 
-    /// The same of a way that may be longer than its link says by as much as it likes.
+    /// Returns the limb with a length bound for a vector that may be longer than its link by any
+    /// amount.
     #[inline(always)]
     pub(super) fn lengthened(self) -> Self {
         let length = self.length + self.strain;
         Limb { length, ..self }
     }
 
-    /// Whether the way is as long as the link says. Written so that NaN is not.
+    /// Returns `true` if the vector is as long as the link, within tolerance. Written so that NaN
+    /// gives `false`.
     #[inline(always)]
     pub(super) fn fits(&self) -> bool {
         (self.length * (0.5 * LONGER)).exceeds(self.strain)
     }
 
-    /// How far the way that the link turns can be from the computed one, if the link is off by so much.
+    /// Bounds the difference of the link's rotated vector from the computed one, if the link is off
+    /// by `turned`.
     #[inline(always)]
     pub(super) fn slack(&self, turned: V) -> V {
         self.strain + self.length * (turned + TURNING)
     }
 
-    /// How far something at the end of the way turns it at most: the way may be as much shorter than `length` as it may
-    /// be longer than its link says, twice.
+    /// Bounds the rotation by a displacement of the vector's end. The vector may be shorter than
+    /// `length` by twice the tolerance of a longer one.
     #[inline(always)]
     pub(super) fn turning(&self, end: V) -> V {
         end * (1.0 + 3.0 * LONGER) / self.length
     }
 
-    /// What moves the way, or a rate of it: its drift and the turning, with this rest.
+    /// Returns the change of the vector or of its rate: its drift plus the rotation, with this
+    /// rest.
     #[inline(always)]
     pub(super) fn way(&self, drift: &Drift<V>, turned: &Turned<V>, rest: V) -> Moved<V> {
         Moved {

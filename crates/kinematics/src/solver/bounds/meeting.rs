@@ -1,32 +1,37 @@
-//! Where the ends of arms must meet: by how much that turns the arms, and how far what is not known goes.
+//! Computes how arms must rotate so that their ends meet, and how unknown errors propagate.
 //!
-//! An arm from P ends at P + e; its true end is P + dP + e + de. The part of de that does not depend on the turning
-//! theta is the drift c, see [`limb`](super::limb), and so two arms meet where
+//! An arm from P ends at P + e; its true end is P + dP + e + de. The part of de that does not
+//! depend on the rotation theta is the drift c, see [`limb`](super::limb). Two arms therefore meet
+//! where
 //!
 //! ```text
 //! theta1 k x e1 - theta2 k x e2 = D,     D = (dP2 + c2) - (dP1 + c1)
 //! ```
 //!
-//! and an arm on a rail, or towards a point that is known, where one such equation in theta holds. It is the same at
-//! each order, of the angles and of their rates, with the D of that order. With M the inverse of this matrix, a D of
-//! the length r turns arm i by g_i r at most: these are the gains.
+//! An arm on a rail, or towards a known point, has one such equation in theta. The equation is the
+//! same at each order, for the angles and their rates, with the D of that order. Let M be the
+//! inverse of this matrix. A D of length r rotates arm i by at most g_i r: these are the gains.
 //!
-//! That a solution is near is proved by Krawczyk's operator N(theta) = theta - M F(theta) (Rump, Verification methods,
-//! Acta Numerica 19, 2010, section 13), F what is open between the ends. The columns of F' are the true ways turned by
-//! theta, times k: within |theta_i| <= 3/2 g_i r, r what is open at theta = 0, they are within the slack of the
-//! computed ways. So N shrinks distances, measured by the largest |theta_i| / g_i, by q = sum g_i slack_i at least,
-//! and where q <= 1/4 it maps this neighbourhood into itself, with an eighth of r to spare: there is one solution. The
-//! matrix of the rates is F' there, so that theirs are no more than 3/2 g_i r either. To the first order they are M D;
-//! what that leaves out, with what each arm leaves open, is open once more, and turns each arm by g_i of it at most.
+//! Krawczyk's operator N(theta) = theta - M F(theta) proves that a solution is near (Rump,
+//! Verification methods, Acta Numerica 19, 2010, section 13). F is the gap between the ends. The
+//! columns of F' are the true vectors rotated by theta, times k. Within |theta_i| <= 3/2 g_i r,
+//! with r the gap at theta = 0, they are within the slack of the computed vectors. Measured by the
+//! largest |theta_i| / g_i, N therefore shrinks distances at least by q = sum g_i slack_i. If q <=
+//! 1/4, it maps this neighbourhood into itself, with an eighth of r to spare: there is exactly one
+//! solution. The matrix of the rates is F' there, so the rates are at most 3/2 g_i r as well. To
+//! first order they are M D. The part left out, with the error that each arm leaves open, is
+//! another gap, and rotates each arm by at most g_i times it.
 //!
-//! That M is computed in doubles moves theta_i by 6 u + 2 u |e1| |e2| / |det| of g_i r at most, and |e1| |e2| / |det| =
-//! g_i |e_i| >= 1 in every case: it is as if the columns were off by 4 u |e_i|. The slack holds this, and what a
-//! computed way leaves out of the difference of its points, and what adding up the way's shift rounds.
+//! M is computed in doubles. That moves theta_i by at most 6 u + 2 u |e1| |e2| / |det| of g_i r.
+//! Since the ratio |e1| |e2| / |det| is g_i |e_i| >= 1 in every case, it is as if the columns were
+//! off by 4 u |e_i|. The slack includes this, the low part of the difference of the vector's
+//! points, and the rounding of the sums of the vector's shift.
 //!
-//! A rest of a joint: what each arm leaves open, as a vector of at most that length, with the rest of the point that
-//! it starts from, moves the joint along the other arm, by |e_i| g_i of it at most. With R the sum of all that, the way
-//! of arm i has a rest of (1 + |e_i| g_i) R at most, and the angle of g_i R: so what the rests of one order make of the
-//! next is known as a part of R before R is.
+//! The rest of a joint comes from the error that each arm leaves open, as a vector of at most that
+//! length, and from the rest of the arm's pivot. It moves the joint along the other arm by at most
+//! |e_i| g_i times its size. With R the sum of all that, the vector of arm i has a rest of at most
+//! (1 + |e_i| g_i) R, and its angle of at most g_i R. The contribution of one order's rests to the
+//! next is thus known as a multiple of R before R is.
 
 use super::influence::Influences;
 use super::limb::{Drift, Limb, Moved, RESIDUAL, Turned};
@@ -34,34 +39,38 @@ use super::off::{LinkOff, PointOff, rounding};
 use crate::arithmetic::plane::Plane;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
 
-/// The most by which Krawczyk's operator may fail to shrink: beyond, nothing is proved.
+/// Maximum contraction factor of Krawczyk's operator. Beyond it nothing is proved.
 const CONTRACTION: f64 = 0.25;
-/// By how much more than to the first order an arm may turn.
+/// Maximum ratio of an arm's rotation to its first-order value.
 const GROWTH: f64 = 1.5;
 
-/// What the ends of one or two arms must keep to. What belongs to the meeting is in all places.
+/// The condition on the ends of one or two arms. Values common to all arms are in all lanes.
 pub(super) trait Meeting<V> {
-    /// The gains.
+    /// Returns the gains.
     fn gains(&self) -> V;
 
-    /// What closes it at an order, once the ends are so much off: the turnings, and how much is open.
+    /// Returns the rotations that close the gap at an order, for these errors of the ends, and the
+    /// size of the gap.
     fn close(&self, order: usize, ends: V) -> (V, V);
 
-    /// So much that is not known of the ends, with what is not known at an order of what they must keep to.
+    /// Adds the unknown error of the ends' target at an order to that of the ends.
     fn with_rest(&self, order: usize, ends: V) -> V;
 
-    /// How far what is not known of the joint goes in a long chain, when the arms themselves leave so much open.
+    /// Returns the bound of the joint's unknown error in a long chain. `own` is the error that the
+    /// arms themselves leave open.
     fn rest_by_rows(&self, order: usize, own: V, from: &PointOff<V>, rows: &mut Influences) -> f64;
 }
 
-/// The joint's error, those of the links whose arms meet there, and what each arm leaves open at each order.
+/// The errors of the joint and of the links that meet there, and the error that each arm leaves
+/// open at each order.
 pub(super) struct Met<V: Plane> {
     pub joint: PointOff<V::One>,
     pub links: LinkOff<V>,
     pub own: [V; 3],
 }
 
-/// One order of a meeting: what is open in all, of which nothing is known, is the rest of the ends.
+/// The result of one order of a meeting. `open` is the total gap of unknown direction: the rest of
+/// the ends.
 struct MeetingOrder<V> {
     turned: Turned<V>,
     way: Moved<V>,
@@ -70,8 +79,9 @@ struct MeetingOrder<V> {
     joint: V,
 }
 
-/// What is open at an order: of the drifts, what closes it, how much is not known of it before the turning is, and in
-/// all. `carried` is what rests of lower orders make of each arm.
+/// The gap at an order: the drifts, the rotations that close it, its unknown part before the
+/// rotation is known, and its total. `carried` is the contribution of lower orders' rests to each
+/// arm.
 struct OpenOrder<V> {
     drift: Drift<V>,
     carried: V,
@@ -80,13 +90,13 @@ struct OpenOrder<V> {
     all: V,
 }
 
-/// How a meeting is looked at, at every order.
+/// The data common to all orders of a meeting.
 struct MeetingView<'a, V, M, const FUSED: bool> {
     limb: &'a Limb<V, FUSED>,
     from: &'a PointOff<V>,
     meeting: &'a M,
     gains: V,
-    /// How far the rest of the ends goes in each way.
+    /// The factor by which the rest of the ends contributes to each vector.
     reach: V,
 }
 
@@ -110,8 +120,8 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         }
     }
 
-    /// What is found at an order once it is known how large the turning can be, and how much that opens besides on each
-    /// arm and in all.
+    /// Computes the result of an order once the maximum rotation is known. `besides` and `sum` are
+    /// the additional gap that it opens on each arm and in total.
     #[inline(always)]
     fn settle(
         &self,
@@ -134,7 +144,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
             rest: none,
         };
         if rows.matter::<FUSED>() {
-            // What the point that an arm starts from rounds is in no row.
+            // The rounding error of the arm's starting point is in no row.
             let own = of.drift.new + of.carried + besides + rounding(from.shift[order]);
             let joint = most.all(meeting.rest_by_rows(order, own, from, rows));
             let between = from.left[order] + joint;
@@ -158,7 +168,8 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         }
     }
 
-    /// The same of a rate, where a turning opens so much of it on each arm, and this part in all.
+    /// Computes the result of a rate. A rotation opens `slack` times its size on each arm, and
+    /// `part` of the gap in total.
     #[inline(always)]
     fn rate(
         &self,
@@ -173,14 +184,15 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
         self.settle(order, &open, most, (slack * most, part * open.all), rows)
     }
 
-    /// The error of the joint at an order, by the first of its arms.
+    /// Stores the error of the joint at an order, by the first of its arms.
     #[inline(always)]
     fn note(&self, order: usize, found: &MeetingOrder<V>, joint: &mut PointOff<V::One>) {
         let shift = (self.from.shift[order] + found.way.shift).first();
         joint.settle(order, shift, found.joint.first());
     }
 
-    /// What rests of lower orders make of each arm, in long chains alone, and of all.
+    /// Returns the contribution of lower orders' rests to each arm, only in long chains, and to
+    /// all.
     #[inline(always)]
     fn carried(
         &self,
@@ -197,7 +209,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
     }
 }
 
-/// Closes a meeting of arms, each from a point with this error; nothing where that cannot be proved.
+/// Closes a meeting of arms, each from a point with this error; `None` if that cannot be proved.
 #[inline(always)]
 pub(super) fn meet<V: Plane, const FUSED: bool>(
     order: u8,
@@ -231,13 +243,14 @@ pub(super) fn meet<V: Plane, const FUSED: bool>(
     let found = view.settle(0, &open, most, (besides, besides.total()), rows);
     view.note(0, &found, &mut joint);
     (links.stretch, links.turn) = (limb.stretch, open.turning);
-    // To the second order, and of a direction that is as much longer as the stretch says.
+    // To second order, for a direction lengthened by the stretch.
     let rest = found.turned.rest;
     links.rest[0] = rest + most * (rest + most * 2.0) + RESIDUAL;
     own[0] = found.own;
     let (e, first) = (found.way, found.open);
 
-    // The rates are linear: what is open turns the arms by so much, and that opens a part of it.
+    // The rates are linear: a gap rotates the arms by a proportional amount, and that opens a part
+    // of it again.
     let opening = (slack, change * GROWTH);
     if order >= VELOCITY {
         let (drift, moving) = limb.drift_of_rate(&e);

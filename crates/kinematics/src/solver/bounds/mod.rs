@@ -1,21 +1,21 @@
-//! How far a state can be from the truth.
+//! Bounds the errors of a solved state.
 //!
-//! The figures of a state come from formulas that are fast; here each group is looked at once more,
-//! from the outside. The residuals of its constraints and of their rates at the computed state, to twice
-//! the precision, go through the inverse of its own matrix: that shifts what was computed to where it
-//! should be, to the first order and with its sign, and goes on to the groups behind. What is left, which is of
-//! the second order but for digits that nobody typed, is bounded by a few numbers a group; in long chains it is
-//! carried by the influences of each constraint on what stands on it, so that it does not widen. Both are one pass
-//! in the order of the plan. That a solution lies there is proved group by group. It does not matter how the figure
-//! was come by.
+//! The values of a state come from fast formulas. Here each group is checked independently of them.
+//! The residuals of its constraints and of their rates are evaluated at the computed state, in
+//! double-double, and multiplied by the inverse of the group's own matrix. This gives the
+//! first-order correction with its sign, which is passed on to the later groups. The remainder is
+//! of second order, apart from uncertain typed digits, and is bounded by a few numbers for each
+//! group. In long chains it is propagated by the influence of each constraint on its dependents, so
+//! that it does not widen. Both take one pass in plan order. The existence of a solution there is
+//! proved group by group. The bounds do not depend on how a value was computed.
 //!
-//! What is rarer - some dyads with guides, driven slides, coupled groups - is run once more in twice the digits,
-//! and so are the forces, which are one pass backwards.
+//! Rarer steps (some dyads with guides, driven slides, coupled groups) are run again in
+//! double-double. So are the forces, which take one backward pass.
 //!
-//! The bounds are for the scene as it is given: a number such as 39.3 is meant as it was typed, and stored to half an
-//! ulp. What its double leaves out is known with its sign: residuals are found from the numbers that are meant. They are
-//! for the assembly that the figure is near to. They trust the platform's
-//! square root to be rounded correctly and its arctangent to an ulp.
+//! The bounds hold for the scene as given: a number such as 39.3 means the typed decimal, stored to
+//! half an ulp. The difference between the decimal and its double is known with its sign: residuals
+//! are computed from the decimals. The bounds hold for the assembly near the computed value. They
+//! rely on a correctly rounded square root and on an arctangent accurate to an ulp.
 
 mod aim;
 mod carried;
@@ -51,14 +51,14 @@ use driver::CrankDirection;
 use off::LinkOff;
 use places::Bodies;
 
-/// Nothing is known.
+/// An unbounded ball, for unknown values.
 const UNKNOWN: Ball = Ball {
     mid: 0.0,
     radius: f64::INFINITY,
 };
 
 impl Solver {
-    /// Room for a state with bounds.
+    /// Creates a workspace for a state with bounds.
     #[must_use]
     pub fn enclosure(&self) -> Workspace<Ball> {
         let engine = self.meant_engine();
@@ -72,12 +72,12 @@ impl Solver {
         enclosure
     }
 
-    /// Encloses what the solver has just found in `work`: every figure that is read from
-    /// `enclosure` is a ball that holds the true one, with an infinite radius where that cannot be
-    /// proved. It goes as far as `order`, and as the state was solved. Allocates nothing.
+    /// Encloses the state that the solver has just computed in `work`. Every value read from
+    /// `enclosure` is a ball that contains the true value; its radius is infinite if that cannot be
+    /// proved. It goes up to `order`, or to the order of the state if lower. Allocates nothing.
     ///
-    /// Where forces are among them, the bounds of what their checks miss by decide whether rounding
-    /// explains it: the state in `work` withholds its forces where they do not.
+    /// For forces, the bounds of the misfit of their checks decide whether rounding explains it. If
+    /// it does not, the state in `work` withholds its forces.
     pub fn enclose(&self, work: &mut Workspace, order: Order, enclosure: &mut Workspace<Ball>) {
         let state = &mut work.state;
         let order = order.min(state.order);
@@ -94,14 +94,14 @@ impl Solver {
         self.enclose_forces(order, state, enclosure);
     }
 
-    /// The steps with their numbers as they are known best: typed decimals to twice the digits, so that what their
-    /// doubles are off by is known with its sign.
+    /// Returns the engine with the most accurate numbers: typed decimals in double-double if
+    /// available, so that the error of their doubles is known with its sign.
     fn meant_engine(&self) -> &Engine {
         let exact = self.exact.as_ref().filter(|_| self.mechanism.is_typed());
         exact.map_or(&self.engine, |exact| &exact.engine)
     }
 
-    /// The coordinate that is meant: close to an end of the motion the double itself.
+    /// Returns the intended coordinate. Close to an end of the motion it is the double itself.
     pub(super) fn meant_coordinate(&self, at: f64) -> Double {
         if self.mechanism.has_decimals() && self.motion.is_clear(at) {
             AskedCoordinate::of::<false>(at).close(at)
@@ -121,7 +121,7 @@ impl Solver {
     }
 }
 
-/// Runs a step in another arithmetic.
+/// Runs a step in any arithmetic.
 #[inline(never)]
 fn run<T: Number>(
     step: &Step,
@@ -136,13 +136,13 @@ fn run<T: Number>(
     }
 }
 
-/// Where a slide is.
+/// Computes the travel of a slide.
 fn travel<T: Number>(step: &Step, order: u8, state: &mut State<T>) {
     let _ = run(step, order, (T::default(), Vec2::default()), state);
 }
 
 impl State<Sharp> {
-    /// Takes what was enclosed in balls.
+    /// Copies an enclosed part from balls.
     fn sharpen(&mut self, part: PlacedPart, balls: &State<Ball>) {
         let vector = |v: Vec2<Ball>| v.map(Sharp::from);
         match part {
@@ -162,7 +162,7 @@ impl State<Sharp> {
 }
 
 impl Dyad<'_> {
-    /// Positions alone, where the assemblies are too close to be told apart.
+    /// Encloses positions only, where the two assemblies are too close to distinguish.
     #[cold]
     fn enclose_stretched(self, enclosure: &mut State<Ball>) -> bool {
         match self {
@@ -175,18 +175,18 @@ impl Dyad<'_> {
     }
 }
 
-/// Where a state is in its motion.
+/// The position of a state within its motion.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Vicinity {
-    /// No end of the range is near.
+    /// Far from the ends of the range.
     Clear,
-    /// One is, or may be.
+    /// Near an end of the range, or possibly near.
     NearEnd,
-    /// The steps have been run in twice the digits.
+    /// Near an end, with all steps run in double-double.
     Edge,
 }
 
-/// The bounds of one state, to be found.
+/// The data for bounding one state.
 struct Enclosing<'a> {
     engine: &'a Engine,
     how: (Vicinity, Order),
@@ -194,7 +194,7 @@ struct Enclosing<'a> {
     work: &'a mut Workspace<Ball>,
 }
 
-/// By reference: what has just been written piece by piece is not to be had again in larger ones at once.
+/// Passed by reference: a copy would reload recent small stores in larger pieces, which is slow.
 impl Fusing for &mut Enclosing<'_> {
     type Output = bool;
 
@@ -211,8 +211,8 @@ impl Fusing for &mut Enclosing<'_> {
 }
 
 impl Engine {
-    /// Encloses a state, by what its steps have come to in twice the digits at the edge;
-    /// whether all of it was proved.
+    /// Encloses a state; at the edge, by the double-double results of its steps. Returns `true` if
+    /// everything was proved.
     fn enclose_to(
         &self,
         vicinity: Vicinity,
@@ -226,8 +226,9 @@ impl Engine {
             work.state.begin(Ball::new(state.at, asked.most()), order);
             return true;
         }
-        // By the machine's vectors, and by fused multiplication and addition where it has that, to the same bits. Long
-        // chains are another matter: what they need besides would only stand in the way.
+        // Runs with the machine's vectors and, if available, fused multiply-add; the bits are the
+        // same. Long chains run separate plain code, so that their additional work does not slow
+        // down short ones.
         let is_long = work.errors.influences.is_long();
         let mut enclosing = Enclosing {
             engine: self,
@@ -315,7 +316,7 @@ impl Engine {
                     errors.travel(step, order);
                     true
                 }
-                // What has no residuals of its own.
+                // Steps without residuals of their own.
                 _ => {
                     let scratch = &mut work.scratch;
                     self.enclose_closely((step, order, asked), state, enclosure, errors, scratch)
@@ -329,7 +330,7 @@ impl Engine {
         all
     }
 
-    /// Runs a step in twice the digits; whether it could be.
+    /// Runs a step in double-double. Returns `true` if that succeeded.
     fn enclose_closely(
         &self,
         (step, order, asked): (&Step, u8, AskedCoordinate),
@@ -367,7 +368,8 @@ impl Engine {
         proved
     }
 
-    /// What a step places where nothing could be proved: positions, if it is a dyad at its limit.
+    /// Encloses the results of a step for which nothing could be proved: positions only, if it is a
+    /// dyad at its limit.
     #[cold]
     fn enclose_loosely(
         &self,
@@ -390,7 +392,7 @@ impl Engine {
         errors.sharp = Some(sharp);
     }
 
-    /// Nothing is known of what a step places.
+    /// Marks the results of a step as unknown.
     fn forget(&self, step: &Step, enclosure: &mut State<Ball>) {
         let nowhere = Vec2::new(UNKNOWN, UNKNOWN);
         step.outputs(&self.program.coupled, &mut |part| match part {

@@ -1,4 +1,4 @@
-//! Errors where they are worked with: in the machine's vectors, of one point or link or of two at once.
+//! Holds errors in the machine's vectors, of one or two points or links at once.
 
 use super::errors::{LinkError, PointError};
 use super::limb::SUM;
@@ -8,14 +8,14 @@ use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, halves, number, 
 use crate::solver::state::{LinkState, PointState};
 use crate::{Ball, Vec2};
 
-/// The errors of a point, or of two.
+/// The errors of one or two points.
 #[derive(Clone, Copy)]
 pub(super) struct PointOff<V> {
     pub shift: [V; 3],
     pub left: [V; 3],
 }
 
-/// The errors of a link, or of two.
+/// The errors of one or two links.
 #[derive(Clone, Copy)]
 pub(super) struct LinkOff<V> {
     pub stretch: V,
@@ -24,7 +24,7 @@ pub(super) struct LinkOff<V> {
     pub rest: [V; 3],
 }
 
-/// What of a link's errors is kept, as it lies in memory, and what it encloses: middles and radii.
+/// The stored part of a link's errors in memory order, and its enclosures: midpoints and radii.
 pub(super) struct Enclosed<V> {
     turn: V,
     shift: V,
@@ -34,15 +34,16 @@ pub(super) struct Enclosed<V> {
     rates: [V; 2],
 }
 
-/// What sums that a shift stands in round.
+/// Returns the rounding error of the sums that contain a shift.
 #[inline(always)]
 pub(super) fn rounding<V: Plane>(shift: V) -> V {
     shift.size() * SUM
 }
 
-/// Here a rest becomes a bound: it is a sum of positive terms, each rounded to nearest, and is widened by
-/// more than these can have lost. What the middle rounds is told by Dekker's short sum, or, where the shift is the
-/// larger one, is below 4 u of the shift: every rest is more.
+/// Converts a rest to a ball. The rest is a sum of positive terms, each rounded to nearest, and is
+/// widened by more than these can have lost. Dekker's short sum gives the rounding of the midpoint.
+/// If the shift is the larger term, that rounding is below 4 u of the shift, and every rest is
+/// larger.
 #[inline(always)]
 fn ball<V: Plane>(value: V, shift: V, rest: V) -> [V; 2] {
     let mid = value + shift;
@@ -72,7 +73,7 @@ fn pairs<S: Simd>(one: [f64x2<S>; 3], two: [f64x2<S>; 3]) -> [f64x4<S>; 3] {
 }
 
 impl<V: Plane> PointOff<V> {
-    /// No error.
+    /// Creates a zero error.
     #[inline(always)]
     pub(super) fn none(none: V) -> Self {
         PointOff {
@@ -81,7 +82,7 @@ impl<V: Plane> PointOff<V> {
         }
     }
 
-    /// Notes the shift of an order, and what is left.
+    /// Sets the shift and the rest of an order.
     #[inline(always)]
     pub(super) fn settle(&mut self, order: usize, shift: V, left: V) {
         self.shift[order] = shift;
@@ -140,7 +141,7 @@ impl<S: Simd> PointOff<f64x4<S>> {
 }
 
 impl<V: Plane> LinkOff<V> {
-    /// No error.
+    /// Creates a zero error.
     #[inline(always)]
     pub(super) fn none(none: V) -> Self {
         LinkOff {
@@ -151,7 +152,7 @@ impl<V: Plane> LinkOff<V> {
         }
     }
 
-    /// What it encloses of these links, and what is kept of it.
+    /// Returns the enclosures of these links, and the stored part of the errors.
     #[inline(always)]
     pub(super) fn enclosed(&self, links: &Bodies<V>) -> Enclosed<V> {
         let turning = links.d * self.stretch + links.d.perp() * self.turn;
@@ -199,7 +200,7 @@ impl<S: Simd> Enclosed<f64x4<S>> {
         }
     }
 
-    /// Of each link.
+    /// Returns the values of each link.
     #[inline(always)]
     pub(super) fn halves(&self) -> [Enclosed<f64x2<S>>; 2] {
         [self.half::<0>(), self.half::<1>()]

@@ -1,10 +1,10 @@
-//! Points and links as they were computed, in the machine's vectors: one of them, or two side by side.
+//! Loads computed points and links into the machine's vectors, one or two at once.
 
 use crate::Vec2;
 use crate::arithmetic::plane::{Simd, both, f64x2, f64x4, vector};
 use crate::solver::state::{LinkState, PointState};
 
-/// Where points are, and how they move.
+/// The positions, velocities and accelerations of points.
 #[derive(Clone, Copy)]
 pub(super) struct Places<V> {
     pub p: V,
@@ -34,11 +34,11 @@ impl<S: Simd> Places<f64x4<S>> {
     }
 }
 
-/// The directions of links, and their rates.
+/// The directions and rates of links.
 #[derive(Clone, Copy)]
 pub(super) struct Bodies<V> {
     pub d: V,
-    /// The angular velocity in the place of x, the acceleration in that of y.
+    /// The angular velocity in x, the angular acceleration in y.
     pub rates: V,
 }
 

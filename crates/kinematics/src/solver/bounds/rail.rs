@@ -1,20 +1,20 @@
-//! By how much a point, as computed, misses a rail of the ground.
+//! Computes the distance of a computed point from a rail of the ground.
 
 use super::limb::RESIDUAL;
 use super::places::Places;
 use crate::arithmetic::plane::{Plane, Simd, f64x2, number, vector};
 use crate::{Constant, Vec2};
 
-/// n . (X - C) of a rail through C along t, and its rates, found in twice the digits; and how far these can be from
-/// the true ones.
+/// n . (X - C) of a rail through C along t, and its rates, computed in double-double, with the
+/// bounds of their errors.
 pub(super) struct Rail<S: Simd> {
     pub normal: f64x2<S>,
     pub values: [f64x2<S>; 3],
     pub fuzz: [f64x2<S>; 3],
 }
 
-/// n . v of vectors that are given with what they leave out. What its last sum rounds is of the second order, as that sum
-/// is of the first.
+/// Returns n . v of vectors given with their low parts. The rounding error of its last sum is of
+/// second order, since that sum itself is of first order.
 #[inline(always)]
 fn across<V: Plane, const FUSED: bool>([n, low]: [V; 2], v: V, lost: V) -> V {
     let [product, rest] = n.times::<FUSED>(v);

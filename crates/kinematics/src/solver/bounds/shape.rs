@@ -1,4 +1,4 @@
-//! Where a link carries a point, from what is given of both: to twice the digits.
+//! Computes in double-double where a link carries a point, from the given numbers of both.
 
 use super::errors::size;
 use crate::arithmetic::plane::{Plane, Simd, both, f64x2, f64x4, number};
@@ -10,16 +10,18 @@ pub(super) fn is_zero(constant: Constant) -> bool {
     constant.hi == 0.0 && constant.lo == 0.0
 }
 
-/// The place of a point on a link, seen from another one, with the digits that a double leaves out; or two such.
+/// The position of a point on a link relative to another one, in double-double; or two such
+/// positions.
 #[derive(Clone, Copy)]
 pub(super) struct LinkShape<V> {
-    /// Its coordinates along the x axis and across it, each with what it leaves out.
+    /// The coordinate along the x axis, as high and low part. `across` is the one perpendicular to
+    /// it.
     along: [V; 2],
     across: [V; 2],
-    /// How far it can be from what was meant.
+    /// The maximum error of the given numbers.
     pub off: V,
     pub length: V,
-    /// Whether it lies along the x axis of its link, as most do.
+    /// Whether it lies on the x axis of its link, as most points do.
     is_straight: bool,
 }
 
@@ -36,14 +38,14 @@ impl<S: Simd> LinkShape<f64x2<S>> {
         }
     }
 
-    /// Of a point whose distance is not known.
+    /// Creates the shape of a point whose distance is unknown.
     #[inline(always)]
     pub(super) fn at(simd: S, local: Vec2<Constant>) -> Self {
         let length = size(local.map(|v| v.hi));
         LinkShape::of(simd, local, length, is_zero(local.y))
     }
 
-    /// Of a direction.
+    /// Creates the shape of a direction.
     pub(super) fn unit(simd: S, direction: Vec2<Constant>) -> Self {
         LinkShape::of(simd, direction, 1.0, false)
     }
@@ -72,13 +74,13 @@ impl<S: Simd> LinkShape<f64x4<S>> {
 }
 
 impl<V: Plane> LinkShape<V> {
-    /// Where it is on a link in this direction, to twice the digits: as two vectors.
+    /// Returns the position on a link with this direction in double-double, as two vectors.
     #[inline(always)]
     pub(super) fn turned<const FUSED: bool>(&self, d: V) -> [V; 2] {
         let [x, x_low] = self.along;
         let [along, rest] = x.times::<FUSED>(d);
         let rest = rest + x_low * d;
-        // Most points of a bar lie along its x axis.
+        // Most points of a bar lie on its x axis.
         if self.is_straight {
             return [along, rest];
         }
@@ -89,12 +91,14 @@ impl<V: Plane> LinkShape<V> {
     }
 }
 
-/// By how much a computed direction is too short, as a part of itself: (1 - |d|^2) / 2, to twice the digits.
+/// Returns the relative amount by which a computed direction is too short: (1 - |d|^2) / 2, in
+/// double-double.
 #[inline(always)]
 pub(super) fn stretch<V: Plane, const FUSED: bool>(d: V) -> V {
     let [square, rest] = d.times::<FUSED>(d);
     let (xx, yy, one) = (square.x(), square.y(), d.all(1.0));
-    // What is left for yy, and what that leaves out (Dekker). The difference of two that are all but equal is exact.
+    // The remainder for yy, and its low part (Dekker). The difference of two nearly equal numbers
+    // is exact.
     let left = one - xx;
     let lost = (one - left) - xx;
     ((left - yy) + (lost - rest.joined())) * 0.5

@@ -1,14 +1,15 @@
-//! Bounds where a dyad is so close to its limit that rounding decides between its two assemblies.
+//! Bounds dyads so close to their limit that rounding decides between the two assemblies.
 //!
-//! Both lie within the half chord of where the arms would be in line, and that can only be so long:
-//! the position has a bound, about the square root of the rounding; the rates have none.
+//! Both assemblies lie within half a chord of the position with the arms in line, and the length of
+//! that chord is bounded. The position therefore has a bound, about the square root of the rounding
+//! error. The rates have none.
 
 use super::UNKNOWN;
 use crate::solver::elements::{CircleLine, CircleRail, Circles, POSITION, Swing};
 use crate::solver::state::State;
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
-/// How long the root of a product can be that is about zero.
+/// Returns an upper bound of the square root of a product that is about zero.
 fn most(product: Ball) -> f64 {
     (product.mid + product.radius).max(0.0).sqrt() * (1.0 + f64::EPSILON)
 }
@@ -17,7 +18,7 @@ fn widened(v: Vec2<Ball>, more: f64) -> Vec2<Ball> {
     v.map(|v| v.widened(more))
 }
 
-/// A point and a link have no rates.
+/// Marks the rates of a point and of links as unknown.
 fn stop(point: Option<PointId>, links: &[LinkId], enclosure: &mut State<Ball>) {
     let none = Vec2::new(UNKNOWN, UNKNOWN);
     if let Some(point) = point {
@@ -31,7 +32,7 @@ fn stop(point: Option<PointId>, links: &[LinkId], enclosure: &mut State<Ball>) {
 }
 
 impl Circles {
-    /// X = P + u x / u.u, and not further from there than h / |u|.
+    /// Encloses X = P + u x / u.u, at most h / |u| from there.
     pub(super) fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
         let p = enclosure.points[self.near.pivot.index()].p;
         let u = enclosure.points[self.far.pivot.index()].p - p;
@@ -55,7 +56,7 @@ impl Circles {
 }
 
 impl CircleLine {
-    /// X = P - h0 n, and not further from there than half the chord.
+    /// Encloses X = P - h0 n, at most half a chord from there.
     pub(super) fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
         let guide = self.line.at(enclosure);
         let from = enclosure.points[self.arm.pivot.index()].p - guide.q.p;
@@ -70,7 +71,7 @@ impl CircleLine {
 }
 
 impl CircleRail {
-    /// As [`CircleLine::enclose_stretched`].
+    /// Encloses the joint. As [`CircleLine::enclose_stretched`].
     pub(super) fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
         let t = Vec2::<Ball>::of(self.along);
         let from = enclosure.points[self.arm.pivot.index()].p - Vec2::of(self.through);
@@ -85,7 +86,7 @@ impl CircleRail {
 }
 
 impl Swing {
-    /// t = -i e w / D^2, and not further from there than s / D.
+    /// Encloses t = -i e w / D^2, at most s / D from there.
     pub(super) fn enclose_stretched(&self, enclosure: &mut State<Ball>) -> bool {
         let pivot = enclosure.points[self.pivot.index()].p;
         let w = enclosure.points[self.pin.index()].p - pivot;

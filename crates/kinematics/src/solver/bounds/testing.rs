@@ -17,7 +17,7 @@ pub fn compare_bounds_without_vectors(solver: &Solver) -> u32 {
     let mut compared = 0;
     let (mut work, mut balls) = (solver.state(), solver.enclosure());
     let mut plain = solver.enclosure();
-    // Long chains know one way alone.
+    // Long chains have only one code path.
     if balls.errors.influences.is_long() {
         return 0;
     }
@@ -42,8 +42,8 @@ pub fn compare_bounds_without_vectors(solver: &Solver) -> u32 {
     compared
 }
 
-/// Moves a solved state away from the truth and checks that its bounds contain the truth and are
-/// not wide: bounds come from the residuals of whatever the state holds.
+/// Moves a solved state away from the truth, and checks that its bounds contain the truth and are
+/// not wide. Bounds come from the residuals of any state, not only of a solved one.
 ///
 /// # Panics
 /// If a bound is too small or too wide.
@@ -81,8 +81,8 @@ pub fn check_bounds_of_a_disturbed_state(solver: &Solver) {
     let check = |ball: Ball, truth: Double, of: &str| {
         let miss = (truth - Double::exactly(ball.mid)).abs().hi;
         assert!(miss <= ball.radius, "{of}: {miss:e} {ball:?}");
-        // Of the second order of what it was off by, but for a chain of many dyads, each of
-        // which widens what it is given.
+        // Of second order in the disturbance, except for a chain of many dyads, each of which
+        // widens its input.
         let is_long = solver.plan.groups.len() > 8;
         assert!(is_long || ball.radius < 0.1 * OFF, "{of}: {ball:?}");
     };

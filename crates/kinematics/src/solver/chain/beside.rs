@@ -1,5 +1,5 @@
-//! What stands beside the groups: the constraints that are watched because others were set aside,
-//! and how far every slide has travelled.
+//! Adds the parts outside the groups: watched constraints of redundant mechanisms, and the travel
+//! of every slide.
 
 use super::Chain;
 use crate::solver::elements::SlideReadout;
@@ -8,9 +8,9 @@ use crate::solver::plan::{Gauge, WatchedConstraint};
 use crate::{Constant, Input, LinkId, PointId, Vec2};
 
 impl Chain<'_> {
-    /// Where constraints were set aside, all are watched, those first. Which of them the steps then
-    /// leave out is theirs to choose: a link's joints may all ride on it although one of its
-    /// equations was set aside, and another constraint is lost for it.
+    /// Watches all constraints if some were set aside, those first. The steps themselves determine
+    /// which constraints they leave out. For example, all joints of a link may ride on it although
+    /// one of its equations was set aside. Another constraint is left out instead.
     pub(super) fn watch(&mut self, set_aside: &[ScalarEquation]) {
         if set_aside.is_empty() {
             return;
@@ -75,7 +75,7 @@ impl Chain<'_> {
         }
     }
 
-    /// Another joint of a link, and `end` as seen from there in the link's frame.
+    /// Returns another joint of a link, and `end` relative to it in the link's frame.
     fn seen_from(&self, link: LinkId, end: PointId) -> Option<(PointId, Vec2<Constant>)> {
         let mut joints = self.network.joints(link).map(|m| m.point);
         let other = joints.find(|&p| p != end)?;

@@ -1,10 +1,11 @@
-//! Dyads: joints anchored about known points and joints held on known lines, and the pairs of these
-//! that settle a joint or a direction in closed form.
+//! Recognises dyads: joints anchored about known points, joints on known lines, and the pairs of
+//! these that determine a joint or a direction in closed form.
 //!
-//! Inside a block a joint of a link that has a known point but an unknown direction lies on a
-//! circle about that point: it is *anchored* there. A joint anchored by two classes of links is an
-//! RRR dyad; one that also lies on a known line, RRP; a guide whose body turns about a known point
-//! and passes through one, RPR; two known lines, PRP or RPP.
+//! Inside a block, take a link with a known point but an unknown direction. Each of its joints lies
+//! on a circle about that point: it is *anchored* there. A joint anchored by two classes of links
+//! is an RRR dyad. An anchored joint on a known line is an RRP dyad. A guide whose body turns about
+//! a known point and that passes through another known point is an RPR dyad. Two known lines are a
+//! PRP or RPP dyad.
 
 use super::{Chain, Scope};
 use crate::solver::elements::{
@@ -14,24 +15,24 @@ use crate::solver::network::ClassId;
 use crate::solver::plan::{GroupKind, Hold, Leg};
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
-/// A joint at a fixed place of a class whose direction is not known yet.
+/// A joint at a fixed position of a class whose direction is not known yet.
 #[derive(Clone, Copy, Debug)]
 struct Anchor {
     point: PointId,
     class: ClassId,
     pivot: PointId,
-    /// From the pivot to the point, in the frame of the class.
+    /// The vector from the pivot to the point, in the frame of the class.
     arm: Vec2<Constant>,
     /// A link of the class that ends at the point.
     link: LinkId,
-    /// Its joint where the way to the point comes from another link, itself anchored there.
+    /// The joint with the preceding link, which is anchored itself, if the arm spans several links.
     by: Option<PointId>,
 }
 
 impl Chain<'_> {
     // ---- anchors
 
-    /// Every joint of the scope that is anchored, link after link of the same class.
+    /// Returns every anchored joint of the scope, following links of the same class.
     fn anchors(&self, scope: &Scope) -> Vec<Anchor> {
         let mut anchors: Vec<Anchor> = Vec::new();
         for &link in scope.links.iter().filter(|&&l| !self.knows(l)) {
@@ -63,7 +64,8 @@ impl Chain<'_> {
         anchors
     }
 
-    /// Anchors the joints of `link`, one of whose places, `at`, is seen from the pivot along `arm`.
+    /// Anchors the joints of `link`. One of its positions, `at`, lies at the end of `arm` from the
+    /// pivot.
     fn anchor_joints(
         &self,
         link: LinkId,
@@ -98,7 +100,7 @@ impl Chain<'_> {
         Arm::new(anchor.pivot, anchor.link, anchor.arm.turned(turn.conj()))
     }
 
-    /// Notes over which links the arm of the step that comes next goes, where these are several.
+    /// Records the links of the next step's arm, if it spans several.
     fn note_legs(&mut self, anchor: &Anchor, anchors: &[Anchor]) {
         let at = self.program.steps.len();
         let mut here = *anchor;
@@ -125,14 +127,14 @@ impl Chain<'_> {
         }
     }
 
-    /// Notes through what the step that comes next holds its joint.
+    /// Records the guide constraint of the next step's joint.
     fn note_hold(&mut self, hold: Hold) {
         self.program.holds.push((self.program.steps.len(), hold));
     }
 
     // ---- dyads
 
-    /// RRR: a joint anchored by two classes.
+    /// Recognises RRR: a joint anchored by two classes. Returns `true` if there was one.
     pub(super) fn circles(&mut self, scope: &Scope) -> bool {
         let anchors = self.anchors(scope);
         let pair = anchors.iter().enumerate().find_map(|(i, a)| {
@@ -153,7 +155,7 @@ impl Chain<'_> {
         true
     }
 
-    /// RRP: an anchored joint on a known line.
+    /// Recognises RRP: an anchored joint on a known line. Returns `true` if there was one.
     pub(super) fn circle_line(&mut self, scope: &Scope) -> bool {
         let anchors = self.anchors(scope);
         for &anchor in &anchors {
@@ -182,14 +184,15 @@ impl Chain<'_> {
         false
     }
 
-    /// The slides of the scope whose point is merely on the guide.
+    /// Returns the slides of the scope that are not driven.
     fn slots(&self, scope: &Scope) -> Vec<SlideId> {
         let slides = scope.slides.iter().copied();
         let mechanism = self.network.mechanism;
         slides.filter(|&s| !mechanism.is_pushed(s)).collect()
     }
 
-    /// RPR: a guide that turns about a known point and passes through one.
+    /// Recognises RPR: a guide that turns about a known point and passes through another. Returns
+    /// `true` if there was one.
     pub(super) fn swing(&mut self, scope: &Scope) -> bool {
         let anchors = self.anchors(scope);
         for &slide in self.slots(scope).iter() {
@@ -200,7 +203,7 @@ impl Chain<'_> {
             };
             let class = self.network.class(link);
             let point = given.slider.point();
-            // Where the sliding point is: known, or anchored in the guide's own class.
+            // The sliding point is known, or anchored in the guide's own class.
             let (pin, arm, carrier) = if self.point_known[point.index()] {
                 (point, Vec2::default(), None)
             } else if let Some(anchor) = anchors
@@ -238,7 +241,8 @@ impl Chain<'_> {
         false
     }
 
-    /// RRR with a driven slide as one arm: a cylinder between moving links.
+    /// Recognises RRR with a driven slide as one arm: a cylinder between moving links. Returns
+    /// `true` if there was one.
     pub(super) fn cylinder(&mut self, scope: &Scope) -> bool {
         let mechanism = self.network.mechanism;
         let mut pushed = scope.slides.iter().filter(|&&s| mechanism.is_pushed(s));
@@ -284,7 +288,8 @@ impl Chain<'_> {
         true
     }
 
-    /// PRP and RPP: a joint whose links all have a direction, on two known lines.
+    /// Recognises PRP and RPP: a joint on two known lines, whose links all have a direction.
+    /// Returns `true` if there was one.
     pub(super) fn lines(&mut self, scope: &Scope) -> bool {
         for point in scope.points.clone() {
             let holds = self.holds(point, scope);
@@ -305,7 +310,7 @@ impl Chain<'_> {
                 continue;
             };
             let group = self.open_group(kind, Some(point));
-            // The helping points belong to the group, too.
+            // The auxiliary points belong to the group as well.
             self.program.group_starts[group] = helpers;
             self.note_hold(*one);
             self.note_hold(*two);
@@ -321,7 +326,8 @@ impl Chain<'_> {
         false
     }
 
-    /// The slides that hold a point on a known line, directly or through a link with a direction.
+    /// Returns the slides that constrain a point to a known line, directly or through a link with a
+    /// direction.
     fn holds(&self, point: PointId, scope: &Scope) -> Vec<Hold> {
         let links = &self.network.mechanism.point(point).links;
         let directed: Vec<LinkId> = links.iter().copied().filter(|&l| self.knows(l)).collect();
@@ -360,7 +366,8 @@ impl Chain<'_> {
         holds
     }
 
-    /// The line on which a held point lies: the guide, or beside it by what the carrier adds.
+    /// Returns the line on which a constrained point lies: the guide, or a parallel displaced by
+    /// the carrier.
     fn line_through(&mut self, point: PointId, hold: Hold) -> Option<GuideLine> {
         let Some(carrier) = hold.carrier else {
             return self.line(hold.slide);

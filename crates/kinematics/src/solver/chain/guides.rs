@@ -1,11 +1,11 @@
-//! Guides as known lines: the point and the link by which a placed guide is followed.
+//! Represents guides as known lines: the point and the link with which a placed guide moves.
 
 use super::Chain;
 use crate::solver::elements::{GuideLine, Ride};
 use crate::{Body, Constant, LinkId, PointId, SlideId, Vec2};
 
 impl Chain<'_> {
-    /// The guide of a slide, if its body is placed.
+    /// Returns the guide of a slide, if its body is placed.
     pub(super) fn line(&mut self, slide: SlideId) -> Option<GuideLine> {
         let given = self.network.mechanism.slide(slide);
         let link = self.network.body(given.on);
@@ -41,15 +41,15 @@ impl Chain<'_> {
         })
     }
 
-    /// The place and the direction of a line that never moves: of the ground itself, through a point
-    /// that no step places.
+    /// Returns the position and the direction of a line that never moves: on the ground itself,
+    /// through a point that no step places.
     pub(super) fn rail(&self, line: &GuideLine) -> Option<[Vec2<Constant>; 2]> {
         let is_constant = self.constants.contains(&line.through);
         (line.link == self.network.ground() && is_constant)
             .then(|| [self.program.points[line.through.index()], line.along])
     }
 
-    /// A helping point that rides at `local` from `base` on a link.
+    /// Creates an auxiliary point that rides on a link at `local` from `base`.
     pub(super) fn ride(&mut self, base: PointId, link: LinkId, local: Vec2<Constant>) -> PointId {
         let point = self.new_point(Vec2::default());
         self.push(Ride {

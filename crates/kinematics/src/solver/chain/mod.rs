@@ -1,5 +1,5 @@
-//! From blocks of unknowns to elementary steps: what follows from what is known is settled at once,
-//! dyads are recognised, what is left is coupled.
+//! Converts blocks of unknowns to elementary steps. Unknowns that follow directly from known ones
+//! are computed first, then dyads are recognised, and the remainder is coupled.
 
 mod beside;
 mod dyads;
@@ -13,23 +13,23 @@ use super::order::{self, CoupledBlock, Ordering};
 use super::plan::{Group, GroupKind, Plan, Program};
 use crate::{Body, Constant, ElementId, Input, LinkId, PointId, SlideId, Vec2};
 
-/// The links and slides that a block's equations are about.
+/// The links and slides of a block's equations.
 #[derive(Default)]
 struct Scope {
     points: Vec<PointId>,
     classes: Vec<ClassId>,
     links: Vec<LinkId>,
     slides: Vec<SlideId>,
-    /// The links that inputs turn against others.
+    /// The links that inputs turn relative to others.
     elbows: Vec<LinkId>,
 }
 
-/// What becomes of a block that a dyad solves.
+/// The treatment of a block that a dyad solves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Dyads {
     /// It is recognised, and solved in closed form.
     Closed,
-    /// It is a list of rows as any other block.
+    /// It is a list of rows like any other block.
     AsRows,
 }
 
@@ -39,20 +39,20 @@ pub(super) struct Chain<'n> {
     dyads: Dyads,
     point_known: Vec<bool>,
     class_known: Vec<bool>,
-    /// Whether a link stands in its group already.
+    /// Whether a link is listed in its group already.
     listed: Vec<bool>,
     program: Program,
     groups: Vec<Group>,
     /// Points of guides in the ground.
     constants: Vec<PointId>,
-    /// The point of a guide that goes with its body, once it was needed.
+    /// The point of a guide that moves with its body, once it was needed.
     guide_points: Vec<Option<PointId>>,
 }
 
-/// Turns the ordered blocks into a plan and a program.
+/// Converts the ordered blocks to a plan and a program.
 ///
 /// # Errors
-/// [`Fault::Singular`] where a block's equations cannot settle its unknowns.
+/// Returns [`Fault::Singular`] if a block's equations cannot determine its unknowns.
 pub(super) fn build(
     network: &Network<'_>,
     ordering: &Ordering,
@@ -113,19 +113,19 @@ impl<'n> Chain<'n> {
         }
     }
 
-    // ---- small facts
+    // ---- helpers
 
     fn knows(&self, link: LinkId) -> bool {
         self.class_known[self.network.class(link).0]
     }
 
-    /// A known point of a link, with its place in the link.
+    /// Returns a known point of a link, with its position in the link.
     fn footing(&self, link: LinkId) -> Option<(PointId, Vec2<Constant>)> {
         let mut places = self.network.places(link);
         places.find(|(point, _)| self.point_known[point.index()])
     }
 
-    /// A point that is not the scene's: constant, or given its place by a step.
+    /// Creates a point in addition to the scene's: a constant, or one placed by a step.
     fn new_point(&mut self, p: Vec2<Constant>) -> PointId {
         self.program.points.push(p);
         self.point_known.push(true);
@@ -173,9 +173,9 @@ impl<'n> Chain<'n> {
         self.settle_links(&ground);
     }
 
-    // ---- what follows at once from what is known
+    // ---- unknowns that follow directly
 
-    /// A link's direction is known now: so are those of its whole class.
+    /// Marks a link's direction as known, and with it those of its whole class.
     fn learn_class(&mut self, link: LinkId) {
         let class = self.network.class(link);
         self.class_known[class.0] = true;
@@ -198,7 +198,8 @@ impl<'n> Chain<'n> {
         }
     }
 
-    /// All points of the links that have a direction and a known point.
+    /// Places all points of the links that have a direction and a known point. Returns `true` if
+    /// there were any.
     fn settle_links(&mut self, links: &[LinkId]) -> bool {
         let mut any = false;
         for &link in links.iter().filter(|&&l| self.knows(l)).collect::<Vec<_>>() {
@@ -220,7 +221,8 @@ impl<'n> Chain<'n> {
         any
     }
 
-    /// How a point of a link follows from another one; on the driven link, from its pivot.
+    /// Creates the step by which a point of a link follows another one; on the driven link, its
+    /// pivot.
     fn ride_on(&self, link: LinkId, base: PointId, point: PointId, local: Vec2<Constant>) -> Step {
         let is_driven = self.network.mechanism.is_crank(link);
         let on_ground = self
@@ -246,7 +248,7 @@ impl<'n> Chain<'n> {
         }
     }
 
-    /// The directions of links with two known points.
+    /// Determines the direction of a link with two known points. Returns `true` if there was one.
     fn aim_links(&mut self, links: &[LinkId]) -> bool {
         for &link in links
             .iter()
@@ -272,7 +274,8 @@ impl<'n> Chain<'n> {
         false
     }
 
-    /// Of two links between which an input turns, each has its direction from that of the other.
+    /// Determines the direction of a link turned by an input relative to a known one, or of the
+    /// link that carries its motor. Returns `true` if there was one.
     fn turn_elbows(&mut self, elbows: &[LinkId]) -> bool {
         for &turned in elbows {
             let [link, from] = self.network.elbow(turned);
@@ -294,7 +297,7 @@ impl<'n> Chain<'n> {
         false
     }
 
-    /// A driven slide whose guide is known places its point.
+    /// Places the point of a driven slide with a known guide. Returns `true` if there was one.
     fn push_slides(&mut self, slides: &[SlideId]) -> bool {
         let mechanism = self.network.mechanism;
         let mut pushed = slides.iter().filter(|&&slide| mechanism.is_pushed(slide));
@@ -338,7 +341,8 @@ impl<'n> Chain<'n> {
         }
     }
 
-    /// What follows from what is known, by inputs too.
+    /// Determines unknowns that follow directly from known ones, including inputs. Returns `true`
+    /// if there were any.
     fn settle_known(&mut self, scope: &Scope) -> bool {
         self.settle_links(&scope.links)
             || self.push_slides(&scope.slides)
@@ -382,7 +386,7 @@ impl<'n> Chain<'n> {
                 ScalarEquation::Elbow(link) => scope.elbows.push(link),
             }
         }
-        // Riders: the links of a point or a class that is settled here, even if they add no equation.
+        // Riders: the links of a point or a class determined here, even if they add no equation.
         for class in &scope.classes {
             scope.links.extend(&self.network.members[class.0]);
         }
@@ -407,9 +411,9 @@ impl<'n> Chain<'n> {
         scope
     }
 
-    // ---- what is left
+    // ---- the remainder
 
-    /// The links of which something is unknown.
+    /// Returns the links with an unknown part.
     fn unsettled_links(&self, links: &[LinkId]) -> Vec<LinkId> {
         let is_placed = |&link: &LinkId| {
             let mut joints = self.network.joints(link);
@@ -418,7 +422,7 @@ impl<'n> Chain<'n> {
         links.iter().copied().filter(|l| !is_placed(l)).collect()
     }
 
-    /// The slides of which something is unknown.
+    /// Returns the slides with an unknown part.
     fn unsettled_slides(&self, slides: &[SlideId]) -> Vec<SlideId> {
         let is_placed = |&slide: &SlideId| {
             let given = self.network.mechanism.slide(slide);
@@ -449,7 +453,7 @@ impl<'n> Chain<'n> {
                 self.line(slide);
             }
         }
-        // Where all blocks are one, some of it has been settled on the way.
+        // If all blocks are one, a part of it has already been determined.
         let links = self.unsettled_links(&scope.links);
         let slides = self.unsettled_slides(&scope.slides);
         let is_open = |&link: &LinkId| {

@@ -1,4 +1,4 @@
-//! How the coordinate of a further input follows the driver's.
+//! Computes the coordinates of further inputs from the driver's coordinate.
 
 mod table;
 
@@ -8,11 +8,11 @@ use crate::{Constant, Double, Input, InputLaw, InputTable, Mechanism, Number};
 use std::sync::Arc;
 use table::{ReadyTable, TableUnits};
 
-/// How the coordinate of an input follows from the driver's.
+/// The law by which an input's coordinate follows the driver's.
 #[derive(Clone, Debug)]
 pub(super) struct Following {
     law: FollowingLaw,
-    /// Its place among the inputs: the driver's is 0.
+    /// Its index among the inputs: the driver's is 0.
     pub number: usize,
 }
 
@@ -22,18 +22,18 @@ enum FollowingLaw {
     Table(Arc<TableMotion>),
 }
 
-/// p = count q / of + phase: q the driver's coordinate as the steps have it, in degrees or scaled lengths, and p
-/// the input's own.
+/// p = count q / of + phase, with q the driver's coordinate in the unit of the steps, degrees or
+/// scaled lengths, and p the input's own.
 #[derive(Clone, Copy, Debug)]
 struct Proportion {
     count: Constant,
     of: f64,
     phase: Constant,
-    /// dp/dq as derivatives count them: in radians or scaled lengths, both.
+    /// dp/dq in the units of the derivatives: both in radians or scaled lengths.
     rate: Constant,
 }
 
-/// A table, and what turns its derivatives into those in radians or scaled lengths.
+/// A table, and the factors that convert its derivatives to radians or scaled lengths.
 #[derive(Debug)]
 struct TableMotion {
     table: ReadyTable,
@@ -41,8 +41,8 @@ struct TableMotion {
     second: Constant,
 }
 
-/// The coordinate of an input, in degrees or scaled lengths, and its derivatives by the driver's, in
-/// radians or scaled lengths.
+/// The coordinate of an input, in degrees or scaled lengths, and its derivatives by the driver's
+/// coordinate, in radians or scaled lengths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct InputMotion<T> {
     pub p: T,
@@ -51,7 +51,7 @@ pub(super) struct InputMotion<T> {
 }
 
 impl Following {
-    /// Those of a mechanism, in the order of its further inputs.
+    /// Creates the laws of a mechanism, in the order of its further inputs.
     pub(super) fn all(mechanism: &Mechanism, frame: &Frame) -> Vec<Following> {
         let driver = mechanism.driver().input;
         let laws = mechanism.timed().iter().map(|timed| match timed.law {
@@ -83,7 +83,7 @@ impl Following {
         matches!(self.law, FollowingLaw::Table(_))
     }
 
-    /// Where an open table begins and ends: in degrees or scaled lengths.
+    /// Returns the start and the end of an open table, in degrees or scaled lengths.
     pub(super) fn open_ends(&self) -> Option<[f64; 2]> {
         match &self.law {
             FollowingLaw::Proportion(_) => None,
@@ -91,7 +91,8 @@ impl Following {
         }
     }
 
-    /// How far around a coordinate its law is one function: in degrees or scaled lengths.
+    /// Returns the distance around a coordinate within which the law is a single function, in
+    /// degrees or scaled lengths.
     pub(super) fn smooth(&self, q: f64) -> f64 {
         match &self.law {
             FollowingLaw::Proportion(_) => f64::INFINITY,
@@ -102,7 +103,7 @@ impl Following {
 
 impl Proportion {
     fn new([ratio, phase]: [f64; 2], [from, to]: [Input; 2], frame: &Frame) -> Proportion {
-        // A fraction of whole numbers is what was meant.
+        // A ratio of whole numbers is the typed value.
         let (count, of) = match fraction(ratio) {
             Some((count, of)) => (Constant::exactly(count), of),
             None => (frame.number(ratio), 1.0),
@@ -162,7 +163,7 @@ impl TableMotion {
     }
 }
 
-/// What turns the ratio of two coordinates into that of their derivatives.
+/// Returns the factor from the ratio of two coordinates to that of their derivatives.
 fn unit(from: Input, to: Input) -> Constant {
     match (from, to) {
         (Input::Turn(_), Input::Push(_)) => Constant::known(Double::DEGREES),
@@ -174,7 +175,7 @@ fn unit(from: Input, to: Input) -> Constant {
 }
 
 impl<T: Number> InputMotion<T> {
-    /// The driver's own coordinate.
+    /// Returns the motion of the driver's own coordinate.
     #[inline(always)]
     fn driver(q: T) -> InputMotion<T> {
         InputMotion {
@@ -184,7 +185,7 @@ impl<T: Number> InputMotion<T> {
         }
     }
 
-    /// Of an input that follows, or of the driver itself.
+    /// Returns the motion of an input that follows, or of the driver itself.
     #[inline(always)]
     pub(super) fn of(following: Option<&Following>, q: T) -> InputMotion<T> {
         following.map_or_else(|| InputMotion::driver(q), |following| following.at(q))

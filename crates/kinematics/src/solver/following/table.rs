@@ -1,27 +1,28 @@
-//! Tables of inputs, in any arithmetic: also where rounding leaves open on which side of a knot the driver is.
+//! Evaluates tables of inputs in any arithmetic, even if rounding leaves open on which side of a
+//! knot the driver is.
 
 use super::InputMotion;
 use crate::mechanism::{SplineEnds, bends, cubic};
 use crate::solver::frame::Frame;
 use crate::{Constant, InputTable, Number};
 
-/// A table made ready to be read: a cubic behind every knot but the last.
+/// A table prepared for evaluation: a cubic after every knot but the last.
 #[derive(Debug)]
 pub(super) struct ReadyTable {
-    /// The knots, in the driver's coordinate as the steps have it.
+    /// The knots, as driver coordinates in the unit of the steps.
     places: Vec<Constant>,
     cubics: Vec<TableCubic>,
     /// The values at both ends.
     ends: [Constant; 2],
-    /// Of a closed one, in degrees.
+    /// The period of a closed table, in degrees.
     period: Option<f64>,
 }
 
-/// c0 + c1 d + c2 d^2 + c3 d^3, d the way from its knot.
+/// c0 + c1 d + c2 d^2 + c3 d^3, with d the distance from its knot.
 #[derive(Debug)]
 struct TableCubic([Constant; 4]);
 
-/// The sizes of the units of the driver's coordinate and of the input's own, powers of two.
+/// The units of the driver's coordinate and of the input's own, powers of two.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct TableUnits {
     pub driver: f64,
@@ -29,7 +30,8 @@ pub(super) struct TableUnits {
 }
 
 impl ReadyTable {
-    /// Its coefficients are found in twice the digits, from what is given or what is meant, as the frame has it.
+    /// Creates a table. Its coefficients are computed in double-double, from doubles or from typed
+    /// decimals depending on the frame.
     pub(super) fn new(table: &InputTable, frame: &Frame, units: TableUnits) -> ReadyTable {
         let of = |value: f64, unit: f64| frame.number(value).scaled(1.0 / unit);
         let knots = table.knots().iter();
@@ -57,8 +59,9 @@ impl ReadyTable {
         }
     }
 
-    /// The coordinate at one of the driver's and its derivatives by that, in the units of both; beyond the ends of an
-    /// open one it stays. Of a closed one the whole turns that it has gone count for nothing.
+    /// Returns the coordinate at a driver coordinate, and its derivatives by that, in the units of
+    /// both. Beyond the ends of an open table it is constant. Whole turns of a closed table are
+    /// ignored.
     pub(super) fn at<T: Number>(&self, q: T) -> InputMotion<T> {
         let q = self.within(q);
         if T::IS_CHEAP {
@@ -68,7 +71,7 @@ impl ReadyTable {
         }
     }
 
-    /// The same place in the period of a closed table.
+    /// Returns the equivalent place in the period of a closed table.
     fn within<T: Number>(&self, q: T) -> T {
         let Some(period) = self.period else { return q };
         let times = ((q.nearest() - self.places[0].hi) / period).floor();
@@ -79,7 +82,8 @@ impl ReadyTable {
         }
     }
 
-    /// How many knots lie before a place: 0 before the table, and all behind it. The last one is in the table.
+    /// Returns the number of knots before a place: 0 before the table, and all of them after it.
+    /// The last knot belongs to the table.
     fn behind(&self, near: f64) -> usize {
         let last = self.cubics.len();
         let count = self.places.partition_point(|place| place.hi <= near);
@@ -90,7 +94,8 @@ impl ReadyTable {
         }
     }
 
-    /// What holds behind so many knots: of an open table the end, of a closed one what goes on there.
+    /// Evaluates the piece after so many knots. Beyond an open table it is the end value, beyond a
+    /// closed one the periodic continuation.
     fn piece<T: Number>(&self, count: usize, q: T) -> InputMotion<T> {
         let last = self.cubics.len();
         let [first_value, last_value] = self.ends.map(T::of);
@@ -116,8 +121,8 @@ impl ReadyTable {
         }
     }
 
-    /// Whatever holds where it is not known on which side of a knot the place lies; the middle is that of the nearest
-    /// double.
+    /// Returns all values possible if it is unknown on which side of a knot the place lies. The
+    /// midpoint is the value at the nearest double.
     fn around<T: Number>(&self, q: T) -> InputMotion<T> {
         let near = self.behind(q.nearest());
         let mut all = self.piece(near, q);
@@ -131,7 +136,7 @@ impl ReadyTable {
         };
         let place = |k: usize| T::of(self.places[k]);
         let is_open_end = |k: usize| self.period.is_none() && (k == 0 || k == self.cubics.len());
-        // There the table holds, of a coordinate that is named.
+        // A named coordinate at an open end is inside the table.
         let touches = |k: usize| !(is_open_end(k) && q.nearest() == self.places[k].hi);
         let mut below = near;
         while below > 0 && touches(below - 1) && !q.exceeds(place(below - 1)) {
@@ -146,13 +151,15 @@ impl ReadyTable {
         all
     }
 
-    /// The places of the first and the last knot of an open table, in degrees or scaled lengths.
+    /// Returns the places of the first and the last knot of an open table, in degrees or scaled
+    /// lengths.
     pub(super) fn open_ends(&self) -> Option<[f64; 2]> {
         let ends = [self.places.first()?.hi, self.places.last()?.hi];
         self.period.is_none().then_some(ends)
     }
 
-    /// How far the next knot is from a place: so far the table is one cubic. In degrees or scaled lengths.
+    /// Returns the distance of the next knot from a place, in degrees or scaled lengths. Within it
+    /// the table is one cubic.
     pub(super) fn smooth(&self, q: f64) -> f64 {
         let q = self.within(q);
         let around = self.period.map_or([None, None], |period| {

@@ -1,8 +1,8 @@
-//! What acts on a mechanism at a state: loads, springs, presses, weights and inertia, as forces at points
-//! and couples on links.
+//! Evaluates the loads of a mechanism at a state: loads, springs, presses, weights and inertia, as
+//! forces at points and couples on links.
 //!
-//! Inside, lengths are the solver's and forces newtons, so that couples are in newtons times the
-//! solver's length; a factor turns these into N m where they are read.
+//! Internally lengths are the solver's and forces are in newtons, so couples are in newtons times
+//! the solver's length. A factor converts these to N m when they are read.
 
 mod acted;
 mod springs;
@@ -21,22 +21,22 @@ use crate::{
 };
 use springs::{LineSpring, TorsionSpring};
 
-/// What bears that something acts: the forces of a state, or whoever asks how large they are.
+/// A receiver of loads: the forces of a state, or a sum of their sizes.
 pub(super) trait Bears<T: Number> {
-    /// A force at a point.
+    /// Adds a force at a point.
     fn push(&mut self, part: TorquePart, point: PointId, force: Vec2<T>, state: &State<T>);
 
-    /// A couple on the ground: the frame feels it, and it does no work.
+    /// Adds a couple on the ground. It acts on the frame and does no work.
     fn twist_ground(&mut self, couple: T);
 
-    /// A couple on a link.
+    /// Adds a couple on a link.
     fn twist(&mut self, part: TorquePart, link: LinkId, couple: T, state: &State<T>);
 
-    /// A force on a link at one of its points that is none of the pin's there.
+    /// Records a force on a link at one of its points that does not come from the pin there.
     fn note_apart(&mut self, slot: Slot, force: Vec2<T>);
 }
 
-/// Everything that acts, ready to be asked at a state.
+/// All loads, prepared for evaluation at a state.
 #[derive(Clone, Debug)]
 pub(super) struct Acting {
     loads: Vec<Act>,
@@ -44,7 +44,7 @@ pub(super) struct Acting {
     /// In m/s^2.
     gravity: Vec2<Constant>,
     has_gravity: bool,
-    /// Metres in the solver's length.
+    /// The solver's length in metres.
     pub(super) unit: Constant,
 }
 
@@ -65,11 +65,11 @@ enum Act {
     Press {
         slide: SlideId,
         point: PointId,
-        /// The link that slides, and where the force of its pin there is noted: the press acts on the link
-        /// and not on the pin.
+        /// The sliding link, and the slot of its pin's force there: the press acts on the link, not
+        /// on the pin.
         on: Option<(LinkId, Slot)>,
         end: StrokeEnd,
-        /// Where the stroke ends.
+        /// The end of the stroke.
         stroke: Stroke,
         curve: ReadyProfile,
     },
@@ -77,8 +77,8 @@ enum Act {
     Torsion(TorsionSpring),
 }
 
-/// How far a slide is from the end of its stroke, in the scene's unit, and how fast it goes there: positive before
-/// the end, and while it closes.
+/// Returns the distance of a slide from the end of its stroke, in the scene's unit, and its speed
+/// towards that end. The distance is positive before the end, the speed while it closes.
 #[inline(always)]
 fn closing<T: Number>(
     (slide, travel): (SlideId, &Sliding<T>),
@@ -86,7 +86,7 @@ fn closing<T: Number>(
     stroke: &Stroke,
     state: &State<T>,
 ) -> (T, T) {
-    // A driver that stands is taken for one that goes forward.
+    // A driver at rest counts as moving forwards.
     let stands = state.rates.speed.hi == 0.0;
     let rate = if stands {
         state.travels[slide.index()].v
@@ -100,7 +100,7 @@ fn closing<T: Number>(
     }
 }
 
-/// What a link weighs, and how it resists being accelerated.
+/// The mass and the moment of inertia of a link.
 #[derive(Clone, Copy, Debug)]
 struct Mass {
     link: LinkId,
@@ -110,7 +110,7 @@ struct Mass {
 }
 
 impl Acting {
-    /// `stroke` tells where the stroke of a slide ends.
+    /// Creates the loads of a mechanism. `stroke` returns the end of a slide's stroke.
     pub(super) fn new(
         mechanism: &Mechanism,
         frame: Frame,
@@ -138,7 +138,7 @@ impl Acting {
         }
     }
 
-    /// Where the stroke of a press ends.
+    /// Returns the end of a press's stroke.
     pub(super) fn stroke(&self, slide: SlideId, end: StrokeEnd) -> Stroke {
         let found = self.loads.iter().find_map(|load| match load {
             Act::Press {
@@ -152,7 +152,7 @@ impl Acting {
         found.unwrap_or_default()
     }
 
-    /// Whether what acts is one formula over the whole motion, without pieces.
+    /// Returns `true` if all loads are a single formula over the whole motion, without pieces.
     pub(super) fn is_smooth(&self) -> bool {
         self.loads.iter().all(|load| match load {
             Act::Force { over, .. } | Act::Torque { over, .. } => over.is_one(),
@@ -162,7 +162,7 @@ impl Acting {
         })
     }
 
-    /// Puts everything that acts at this state upon the points and links of `forces`.
+    /// Applies all loads at this state to the points and links of `forces`.
     #[inline(always)]
     pub(super) fn act<T: Number>(&self, state: &State<T>, forces: &mut impl Bears<T>) {
         for load in &self.loads {

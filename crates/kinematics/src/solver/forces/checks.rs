@@ -1,6 +1,6 @@
-//! The checks rule: forces that do not come out in the balance of the whole are not shown.
+//! Implements the checks rule: forces that do not satisfy the balance of the whole are not shown.
 //!
-//! Each check is a sum that is nothing but for rounding:
+//! Each check is a sum that is zero except for rounding errors:
 //!
 //! ```text
 //! drive    what has come to the driver  - sum F.v + M w     of all that acts
@@ -8,9 +8,10 @@
 //! moment   what the frame feels of it   - sum p x F + M
 //! ```
 //!
-//! It is the equilibrium of every link and pin added up, so that its terms are the forces at all joints
-//! and guides besides those that act. Where bounds are known they say what rounding may leave of it;
-//! where they are not, a part of its terms, and not of its result: terms that cancel hide nothing.
+//! The checks add up the equilibrium of every link and pin, so their terms are the forces at all
+//! joints and guides, and the loads. If bounds are known, they limit the rounding error of the sum.
+//! If not, the limit is a fraction of the terms, not of the result, so that cancelling terms hide
+//! no error.
 
 use super::applied::Bears;
 use super::slots::Slot;
@@ -18,32 +19,33 @@ use super::{Balance, Extent, ForceState, Residual, TorquePart};
 use crate::solver::state::{PointState, State};
 use crate::{Ball, LinkId, Number, PointId, Vec2};
 
-/// What rounding may leave of a sum, as a part of its terms, where no bound is known: 1e7 roundings. What
-/// is so close to a singular place that it leaves more has few digits; a fault of a millionth is found.
+/// Maximum rounding error of a sum relative to its terms, if there is no bound: 1e7 roundings. A
+/// state so near a singularity that it exceeds this has few digits. An error of a millionth is
+/// detected.
 const ROUNDING: f64 = 1e-9;
 
 /// A check of the forces of a state: see [`Residual`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceCheck {
-    /// The driver against the virtual work of all that acts.
+    /// The driver against the virtual work of all loads.
     Drive,
-    /// The force on the frame along x against the sum of all that acts.
+    /// The force on the frame along x against the sum of all loads.
     ForceX,
-    /// The same along y.
+    /// The force on the frame along y against the sum of all loads.
     ForceY,
-    /// The moment on the frame against that of all that acts.
+    /// The moment on the frame against that of all loads.
     Moment,
 }
 
-/// Why the forces of a state are not shown, though they were found.
+/// The reason why computed forces of a state are not shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Withheld {
     /// A check misses by more than rounding explains.
     Unbalanced {
-        /// The check: [`State::residual`] has what it misses by.
+        /// The check that fails. Its residual is part of [`State::residual`].
         check: ForceCheck,
-        /// What rounding explains, in N m or N: the bound of the residual where that is known, or else a
-        /// part of the terms.
+        /// The maximum explained by rounding, in N m or N: the bound of the residual if known, or
+        /// else a fraction of the terms.
         most: f64,
     },
     /// A force, or a torque, is too large for a double.
@@ -51,7 +53,7 @@ pub enum Withheld {
 }
 
 impl ForceCheck {
-    /// All of them.
+    /// All checks.
     pub const ALL: [ForceCheck; 4] = [
         ForceCheck::Drive,
         ForceCheck::ForceX,
@@ -61,7 +63,7 @@ impl ForceCheck {
 }
 
 impl<T: Number> Residual<T> {
-    /// What one of the checks misses by.
+    /// Returns the residual of a check.
     #[must_use]
     pub fn of(&self, check: ForceCheck) -> T {
         match check {
@@ -73,7 +75,7 @@ impl<T: Number> Residual<T> {
     }
 }
 
-/// The sizes of the terms of each check.
+/// The sums of the absolute terms of each check.
 #[derive(Clone, Copy, Debug, Default)]
 struct Terms<T> {
     drive: T,
@@ -95,7 +97,7 @@ impl<T: Number> Terms<T> {
     }
 }
 
-/// The size of a vector, quickly.
+/// Returns a cheap upper bound of the length of a vector.
 fn extent<T: Number>(vector: Vec2<T>) -> T {
     vector.x.abs() + vector.y.abs()
 }
@@ -116,15 +118,16 @@ impl<T: Number> Bears<T> for Terms<T> {
     fn note_apart(&mut self, _: Slot, _: Vec2<T>) {}
 }
 
-/// Whether a sum is what rounding may leave of its terms, in every lane; what is no number is not.
+/// Returns `true` if a sum is within the rounding error of its terms, in every lane. NaN gives
+/// `false`.
 #[inline(always)]
 fn is_rounding<T: Number>(miss: T, terms: T) -> bool {
-    // A sum of nothing misses by nothing.
+    // An empty sum must be zero.
     (terms * T::exactly(ROUNDING) + T::exactly(f64::MIN_POSITIVE)).exceeds(miss.abs())
 }
 
 impl<T: Number> ForceState<T> {
-    /// What each check misses by, in the solver's lengths about its origin.
+    /// Returns the residual of each check, in the solver's lengths about its origin.
     #[inline(always)]
     pub(super) fn misses(&self) -> Residual<T> {
         let [load, gravity, inertia] = self.work;
@@ -135,7 +138,7 @@ impl<T: Number> ForceState<T> {
         }
     }
 
-    /// Whether all checks hold against the part of their terms that is at hand.
+    /// Returns `true` if all checks hold against the readily available part of their terms.
     #[inline(always)]
     fn is_plainly_balanced(&self) -> bool {
         let Residual {
@@ -154,7 +157,7 @@ impl<T: Number> ForceState<T> {
 }
 
 impl Balance {
-    /// Withholds forces whose checks miss by more than a part of their terms.
+    /// Withholds forces whose checks miss by more than a fraction of their terms.
     #[inline(always)]
     pub(super) fn check<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         if forces.extent == Extent::All && !forces.is_plainly_balanced() {
@@ -162,7 +165,7 @@ impl Balance {
         }
     }
 
-    /// The same with all terms.
+    /// Withholds forces whose checks miss by more than a fraction of all their terms.
     #[cold]
     #[inline(never)]
     fn check_closely<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
@@ -200,7 +203,7 @@ impl Balance {
         }
     }
 
-    /// All that acts, and all that joints and guides carry.
+    /// Returns the terms of all loads, and of all forces at joints and guides.
     fn terms<T: Number>(&self, state: &State<T>, forces: &ForceState<T>) -> Terms<T> {
         let mut terms = Terms::default();
         self.acting.act(state, &mut terms);
@@ -221,7 +224,7 @@ impl Balance {
 }
 
 impl<T: Number> State<T> {
-    /// Whether forces were found that are not shown.
+    /// Returns `true` if computed forces are not shown.
     pub(in crate::solver) fn withholds(&self) -> bool {
         let forces = self.forces.as_deref();
         forces.is_some_and(|forces| matches!(forces.extent, Extent::Withheld(_)))
@@ -229,7 +232,8 @@ impl<T: Number> State<T> {
 }
 
 impl State {
-    /// Why the forces of this state are not shown; `None` where they are, or where there are none.
+    /// Returns the reason why the forces of this state are not shown; `None` if they are shown or
+    /// do not exist.
     #[must_use]
     pub fn withheld(&self) -> Option<Withheld> {
         match self.forces.as_deref()?.extent {
@@ -238,7 +242,7 @@ impl State {
         }
     }
 
-    /// Where the residuals have bounds, these decide whether rounding explains them.
+    /// Decides by the bounds of the residuals, if they exist, whether rounding explains them.
     pub(in crate::solver) fn check_by_bounds(&mut self, enclosure: &State<Ball>) {
         let Some((found, proved)) = self.residual().zip(enclosure.residual()) else {
             return;

@@ -1,25 +1,26 @@
-//! What the whole does to the frame, from what its joints and guides carry.
+//! Computes the force of the whole mechanism on the frame, from the forces at its joints and
+//! guides.
 
 use super::ForceState;
 use super::slots::{Slot, Slots};
 use crate::solver::state::State;
 use crate::{Body, Input, Mechanism, Number, PointId, SlideId, Slider, Vec2};
 
-/// What stands on the ground.
+/// The connections of the mechanism to the ground.
 #[derive(Clone, Debug)]
 pub(super) struct Framed {
     /// The members of links that are ground points.
     pins: Vec<(Slot, PointId)>,
     /// All points of the ground.
     points: Vec<PointId>,
-    /// The slides whose guide is on the ground, with the point that slides; and the number of the input that drives
-    /// it, if one does.
+    /// The slides with a guide on the ground, their sliding point, and the number of the input that
+    /// drives them, if any.
     guides: Vec<(SlideId, PointId, Option<usize>)>,
-    /// The slides whose pin is a point of the ground: the frame feels what the guide does to that.
+    /// The slides whose pin is a ground point. The frame bears the guide's force on it.
     held: Vec<(SlideId, PointId, Option<usize>)>,
-    /// The slides of links, with the place of the origin's force; the guide's own is none of it.
+    /// The slides of links, with the slot of the origin's force, which excludes the guide's own.
     origins: Vec<(SlideId, Slot, Option<usize>)>,
-    /// Whether each input turns a link against the ground.
+    /// Whether each input turns a link relative to the ground.
     turned: Vec<bool>,
 }
 
@@ -54,7 +55,7 @@ impl Framed {
         }
     }
 
-    /// What acts on the ground itself goes into the frame at once.
+    /// Adds loads on ground points directly to the frame.
     pub(super) fn note_ground<T: Number>(&self, forces: &mut ForceState<T>, state: &State<T>) {
         for &point in &self.points {
             let force = forces.points[point.index()];
@@ -63,7 +64,8 @@ impl Framed {
         }
     }
 
-    /// Takes from the origins of what slides what its guide does there: the rest is their pins'.
+    /// Subtracts the guide's force at the origin of each sliding link. The remainder is the pin's
+    /// force.
     pub(super) fn free_origins<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         for &(slide, slot, driven) in &self.origins {
             let force = guided(slide, driven, state, forces);
@@ -71,7 +73,7 @@ impl Framed {
         }
     }
 
-    /// The frame feels all that stands on it, once every joint and guide has its force.
+    /// Adds all forces on the frame, once every joint and guide has its force.
     pub(super) fn feel<T: Number>(&self, state: &State<T>, forces: &mut ForceState<T>) {
         for &(slot, point) in &self.pins {
             feel(point, forces.joints[slot], state, forces);
@@ -84,14 +86,14 @@ impl Framed {
             feel(point, -guided(slide, driven, state, forces), state, forces);
         }
         for (input, _) in self.turned.iter().enumerate().filter(|(_, turns)| **turns) {
-            // What turns a link stands on the frame.
+            // A motor that turns a link is mounted on the frame.
             let effort = forces.efforts[input];
             forces.frame_moment += effort;
         }
     }
 }
 
-/// What a guide does to what slides; where it is driven, the driver's force with it.
+/// Returns the force of a guide on its slider, including the driver's force if it is driven.
 fn guided<T: Number>(
     slide: SlideId,
     driven: Option<usize>,
@@ -106,7 +108,7 @@ fn guided<T: Number>(
     }
 }
 
-/// A force on the mechanism at a point of the ground; the frame feels the opposite.
+/// Adds the reaction on the frame of a force on the mechanism at a ground point.
 fn feel<T: Number>(point: PointId, force: Vec2<T>, state: &State<T>, forces: &mut ForceState<T>) {
     forces.frame = forces.frame - force;
     let moment = state.points[point.index()].p.cross(force);

@@ -1,9 +1,10 @@
-//! The reactions of least norm, where a redundant linkage leaves some open.
+//! Computes the reactions of least norm if a redundant linkage leaves some undetermined.
 //!
-//! Whatever constraints that repeat others press with, the linkage is in equilibrium: with r the reactions
-//! as the steps find them, which let these press with nothing, and d_k those to the unit force of each, all
-//! r + sum c_k d_k are. Of these the one with the least sum of squares, of all forces at pins and guides
-//! and of moments over the longest length, is what pins and guides would bear that give way alike.
+//! The linkage is in equilibrium for any force of its redundant constraints. Let r be the reactions
+//! found by the steps, in which these constraints have no force, and d_k the reactions to the unit
+//! force of each. Then all r + sum c_k d_k are in equilibrium. The reactions of least norm minimise
+//! the sum of squares over all forces at pins and guides, and over moments divided by the longest
+//! length. They are the reactions for pins and guides of equal compliance.
 
 use super::open::{FELT, Felt, probes};
 use super::{Balance, ForceState, Indeterminate};
@@ -13,10 +14,11 @@ use crate::solver::{Condition, Order, Solver};
 use crate::{LinkId, PointId, SlideId, Vec2};
 use nalgebra::DVector;
 
-/// What is left of a unit force beside others below this part of it is rounding: it is felt as they are.
+/// The relative remainder of a unit force below which it is rounding error: its reactions depend on
+/// those of the others.
 const ALIKE: f64 = 1e-9;
 
-/// Reactions of least norm of one state: only those are its own that the equilibrium leaves open.
+/// The reactions of least norm of a state, for those that the equilibrium leaves undetermined.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LeastNorm {
     joints: Vec<(LinkId, PointId, Vec2)>,
@@ -25,7 +27,7 @@ pub struct LeastNorm {
 }
 
 impl LeastNorm {
-    /// The force on a link at one of its joints, in N, in the ground's frame.
+    /// Returns the force on a link at one of its joints, in N, in the ground's frame.
     #[must_use]
     pub fn joint_force(&self, link: LinkId, point: PointId) -> Option<Vec2> {
         let mut joints = self.joints.iter();
@@ -33,14 +35,15 @@ impl LeastNorm {
         Some(found.2)
     }
 
-    /// The force of a guide on what slides along it, in N, as [`State::normal`](crate::solver::State::normal).
+    /// Returns the force of a guide on its slider, in N, as
+    /// [`State::normal`](crate::solver::State::normal).
     #[must_use]
     pub fn normal(&self, slide: SlideId) -> Option<f64> {
         let found = self.normals.iter().find(|&&(of, _)| of == slide)?;
         Some(found.1)
     }
 
-    /// The moment of a guide, in N m, as [`State::moment`](crate::solver::State::moment).
+    /// Returns the moment of a guide, in N m, as [`State::moment`](crate::solver::State::moment).
     #[must_use]
     pub fn moment(&self, slide: SlideId) -> Option<f64> {
         let found = self.moments.iter().find(|&&(of, _)| of == slide)?;
@@ -48,7 +51,7 @@ impl LeastNorm {
     }
 }
 
-/// All reactions, one after the other.
+/// Returns all reactions as one vector.
 fn listed(forces: &ForceState<f64>, felt: &Felt, members: usize) -> DVector<f64> {
     let joints = forces.joints.iter().zip(&felt.joints).take(members);
     let joints = joints.flat_map(|(&a, &b)| [(a + b).x, (a + b).y]);
@@ -59,9 +62,9 @@ fn listed(forces: &ForceState<f64>, felt: &Felt, members: usize) -> DVector<f64>
 }
 
 impl Solver {
-    /// The reactions of least norm at a coordinate of the driver, for those that the equilibrium leaves open
-    /// ([`Solver::indeterminate`]): what pins and guides would bear that give way alike. `None` where none is
-    /// open, or where there are no reactions.
+    /// Computes the reactions of least norm at a coordinate of the driver, for those that the
+    /// equilibrium leaves undetermined ([`Solver::indeterminate`]). They are the reactions for pins
+    /// and guides of equal compliance. `None` if all are determined, or if there are no reactions.
     #[must_use]
     pub fn least_norm(&self, at: f64) -> Option<LeastNorm> {
         let balance = self.balance.as_deref()?;
@@ -88,7 +91,7 @@ fn least(
     let slides = balance.open.normals.len();
     let found = work.state.forces.as_deref()?;
     let mut reactions = listed(found, &Felt::new(&balance.open), members);
-    // Moments count by what they are at the end of the longest length.
+    // Moments are weighted by their force at the end of the longest length.
     let moments = 2 * members + slides..reactions.len();
     let weigh = |all: &mut DVector<f64>, by: f64| {
         for row in moments.clone() {
@@ -97,7 +100,8 @@ fn least(
     };
     let longest = solver.engine.frame.longest;
     weigh(&mut reactions, 1.0 / longest);
-    // Gram and Schmidt, twice: the decompositions at hand lose digits of directions that are alike in size.
+    // Gram-Schmidt, applied twice: the available decompositions lose digits for directions of
+    // similar size.
     let mut units: Vec<DVector<f64>> = Vec::new();
     probes(balance, network, solver, work, |forces, felt| {
         let mut unit = listed(forces, felt, members);
@@ -117,7 +121,7 @@ fn least(
         .then(|| told(balance, solver, &reactions))
 }
 
-/// Takes all that lies along directions, which stand on each other at right angles, out of a vector.
+/// Removes from a vector its components along orthogonal directions.
 fn without(vector: &mut DVector<f64>, directions: &[DVector<f64>]) {
     for _ in 0..2 {
         for direction in directions {
@@ -127,7 +131,7 @@ fn without(vector: &mut DVector<f64>, directions: &[DVector<f64>]) {
     }
 }
 
-/// Those that are open.
+/// Returns the undetermined reactions.
 fn told(balance: &Balance, solver: &Solver, reactions: &DVector<f64>) -> LeastNorm {
     let members = balance.slots.members.len();
     let slides = balance.open.normals.len();

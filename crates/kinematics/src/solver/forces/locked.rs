@@ -1,7 +1,7 @@
-//! The couples that pass where a link is kept from turning.
+//! Computes the couples transmitted by locks, which keep links from turning.
 //!
-//! Links that are locked to each other are a tree of locks. What a lock carries is the couple of all that
-//! hangs beyond it.
+//! Links locked to each other form a tree of locks. A lock carries the couple of everything beyond
+//! it.
 
 use super::ForceState;
 use crate::solver::elements::Step;
@@ -12,17 +12,17 @@ use crate::{LinkId, Number, SlideId, Slider};
 /// The locks of a mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Locked {
-    /// The links that are locked to the ground: no step has taken their couples on.
+    /// The links locked to the ground, whose couples no step has propagated.
     grounded: Vec<LinkId>,
     locks: Vec<LockSite>,
 }
 
-/// A lock, and the links beyond it as seen from where their direction comes from.
+/// A lock, and the links beyond it, counted from the link that gives the direction.
 #[derive(Clone, Debug)]
 struct LockSite {
     slide: SlideId,
     beyond: Vec<LinkId>,
-    /// Whether the sliding link is among them, and not the guide.
+    /// Whether the sliding link is among them, rather than the guide.
     holds_slider: bool,
 }
 
@@ -74,7 +74,7 @@ impl Locked {
         }
     }
 
-    /// The couples, once all steps have been run backwards.
+    /// Computes the couples, after all steps have run backwards.
     pub(super) fn finish<T: Number>(&self, forces: &mut ForceState<T>) {
         for link in &self.grounded {
             forces.couples[link.index()] += forces.links[link.index()];
@@ -87,7 +87,7 @@ impl Locked {
     }
 }
 
-/// The links that are locked to one without this slide.
+/// Returns the links connected to `from` by locks other than `without`.
 fn reached(from: LinkId, without: SlideId, edges: &[(SlideId, LinkId, LinkId)]) -> Vec<LinkId> {
     let mut found = vec![from];
     let mut next = 0;

@@ -39,7 +39,7 @@ use open::Open;
 use std::sync::Arc;
 use stroke::Stroke;
 
-/// How the torque is split.
+/// A part of the driver's torque.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum TorquePart {
     Load,
@@ -47,20 +47,21 @@ enum TorquePart {
     Inertia,
 }
 
-/// How much of the forces exists at a state.
+/// The extent to which the forces of a state are known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 enum Extent {
-    /// Nothing: they were not asked for, or there are none.
+    /// No forces: not requested, or there are none.
     #[default]
     Nothing,
-    /// What the driver must do, from the virtual work: at a change point the reactions need not exist.
+    /// Only the driver's torque or force, from the virtual work. At a change point the reactions
+    /// need not exist.
     Drive,
-    /// They were found, and cannot be right: nobody gets them but for the residuals that say so.
+    /// All were computed but cannot be right. Only the residuals that show this can be read.
     Withheld(Withheld),
     All,
 }
 
-/// What slides: the point, and the link where it does not turn.
+/// Returns the sliding point, and the link if it slides without turning.
 fn slider(slider: Slider) -> (PointId, Option<LinkId>) {
     match slider {
         Slider::Pin(point) => (point, None),
@@ -68,44 +69,44 @@ fn slider(slider: Slider) -> (PointId, Option<LinkId>) {
     }
 }
 
-/// The forces of a state, and the room to find them.
+/// The forces of a state, and the memory to compute them.
 #[derive(Clone, Debug)]
 pub(super) struct ForceState<T> {
     slots: Arc<Slots>,
     open: Arc<Open>,
     extent: Extent,
-    /// What has come to each point and link so far: dual to their velocities.
+    /// The force accumulated on each point, dual to its velocity. `links` has the couples on links.
     pub(super) points: Vec<Vec2<T>>,
     pub(super) links: Vec<T>,
-    /// The couple of every link that is locked to others: what passes through its locks.
+    /// The couple of every link locked to others, transmitted by its locks.
     pub(super) couples: Vec<T>,
-    /// On a link at one of its points, by slot.
+    /// The force on a link at one of its points, by slot.
     joints: Vec<Vec2<T>>,
-    /// Of a guide on what slides, across the guide; and the couple.
+    /// The force of a guide on its slider, perpendicular to the guide. `moments` has the couples.
     pub(super) normals: Vec<T>,
     moments: Vec<T>,
-    /// What has come to the driver's coordinate, by way of every input.
+    /// The force accumulated on the driver's coordinate through all inputs.
     pub(super) drive: T,
     inputs: Arc<[Input]>,
-    /// What has come to the coordinate of each of these itself.
+    /// The force accumulated on the own coordinate of each input.
     pub(super) efforts: Vec<T>,
-    /// The virtual work of each part of what acts, for a unit rate of the driver's coordinate.
+    /// The virtual work of each part of the loads, for a unit rate of the driver's coordinate.
     work: [T; 3],
-    /// The sum of all that acts, and its moment about the solver's origin.
+    /// The sum of all loads, and its moment about the solver's origin.
     sum: Vec2<T>,
     sum_moment: T,
-    /// What the frame feels, and its moment about the solver's origin.
+    /// The force on the frame, and its moment about the solver's origin.
     frame: Vec2<T>,
     frame_moment: T,
     scale: TorqueScale<T>,
 }
 
-/// From the solver's lengths to N m.
+/// The conversion from the solver's lengths to N m.
 #[derive(Clone, Copy, Debug)]
 struct TorqueScale<T> {
-    /// N m in a newton times the solver's length.
+    /// N m per newton times the solver's length.
     couple: T,
-    /// The same for what belongs to the driver's coordinate: 1 where that is a length.
+    /// The factor for the driver's coordinate: 1 if that is a length.
     drive: T,
     /// The solver's origin in metres.
     origin: Vec2<T>,
@@ -154,7 +155,7 @@ impl<T: Number> ForceState<T> {
         (self.frame, self.frame_moment) = (Vec2::default(), T::default());
     }
 
-    /// What comes to an input: it goes on to the driver that it follows.
+    /// Adds the effort of an input, and its contribution to the driver that it follows.
     #[inline(always)]
     pub(super) fn drive_by(&mut self, following: Option<&Following>, effort: T, state: &State<T>) {
         match following {
@@ -173,15 +174,15 @@ impl<T: Number> ForceState<T> {
         (self.extent == Extent::All).then_some(self)
     }
 
-    /// What the driver does against the virtual work of a part.
+    /// Returns the driver's torque or force against the virtual work of a part.
     fn against(&self, part: TorquePart) -> T {
-        // Subtracted, so that nothing has no sign.
+        // Subtracted, so that zero has no negative sign.
         T::default() - self.work[part as usize] * self.scale.drive
     }
 }
 
 impl ForceState<Ball> {
-    /// Takes all that is read from forces in twice the digits.
+    /// Copies all readable values from forces in double-double.
     fn round(&mut self, of: &ForceState<Sharp>) {
         let vector = |v: Vec2<Sharp>| v.map(Ball::from);
         let numbers = |to: &mut [Ball], from: &[Sharp]| {
@@ -203,16 +204,16 @@ impl ForceState<Ball> {
     }
 }
 
-/// How the forces of one mechanism are found.
+/// The force analysis of one mechanism.
 #[derive(Clone, Debug)]
 pub(super) struct Balance {
     acting: Acting,
     passes: Vec<Pass>,
     slots: Arc<Slots>,
-    /// What slides, by slide: the point, and the link where it does not turn.
+    /// The sliders, by slide: the point, and the link if it slides without turning.
     sliders: Vec<(PointId, Option<LinkId>)>,
     locked: Locked,
-    /// Reactions that a redundant linkage leaves open.
+    /// The reactions that a redundant linkage leaves undetermined.
     open: Arc<Open>,
     indeterminate: Vec<Indeterminate>,
     frame: Framed,
@@ -220,7 +221,7 @@ pub(super) struct Balance {
 }
 
 impl Balance {
-    /// Of a solver that is complete but for its forces; `None` where nothing acts.
+    /// Creates the force analysis of a solver complete except for its forces; `None` without loads.
     pub(super) fn new(network: &Network<'_>, solver: &Solver) -> Option<Arc<Balance>> {
         let stroke = |slide, end| stroke::end(solver, slide, end);
         let mut balance = Balance::with(network, &solver.engine, stroke)?;
@@ -228,9 +229,10 @@ impl Balance {
         Some(Arc::new(balance))
     }
 
-    /// Of the same mechanism with slopes in its constants; `follow` tells how the position of a slide follows
-    /// the length at a coordinate. The stroke of a press ends where its slide turns back: that moves by as much
-    /// as the slide does there, since it stands.
+    /// Creates the force analysis of the same mechanism with slopes in its constants. `follow`
+    /// returns the derivative of a slide's position by the length at a coordinate. The stroke of a
+    /// press ends where its slide reverses. That end has the slide's derivative at a fixed
+    /// coordinate, since the slide is at rest there.
     pub(super) fn by_length(
         &self,
         network: &Network<'_>,
@@ -280,7 +282,7 @@ impl Balance {
         })
     }
 
-    /// Finds what a redundant linkage leaves open, at several places of its motion.
+    /// Finds the undetermined reactions of a redundant linkage, at several places of its motion.
     fn leave_open(&mut self, network: &Network<'_>, solver: &Solver) {
         let mut state = solver.state();
         state.state.forces = Some(self.room(&solver.engine));
@@ -289,12 +291,12 @@ impl Balance {
         self.open = Arc::new(open);
     }
 
-    /// The reactions that the equilibrium leaves open.
+    /// Returns the reactions that the equilibrium leaves undetermined.
     pub(super) fn indeterminate(&self) -> &[Indeterminate] {
         &self.indeterminate
     }
 
-    /// Room for the forces of a state.
+    /// Creates the forces of a state.
     pub(super) fn room<T: Number>(&self, engine: &Engine) -> Box<ForceState<T>> {
         let slides = self.open.normals.len();
         let unit = T::of(self.acting.unit);
@@ -326,13 +328,13 @@ impl Balance {
         })
     }
 
-    /// Whether what acts is one formula over the whole motion, without pieces.
+    /// Returns `true` if all loads are a single formula over the whole motion, without pieces.
     pub(super) fn is_smooth(&self) -> bool {
         self.acting.is_smooth()
     }
 
-    /// What follows a solve: the forces, checked, where anything acts and they were asked for, none
-    /// otherwise.
+    /// Computes and checks the forces after a solve if there are loads and forces were requested,
+    /// or else clears them.
     #[inline(always)]
     pub(super) fn follow<T: Number>(
         balance: Option<&Balance>,
@@ -350,10 +352,11 @@ impl Balance {
         }
     }
 
-    /// Encloses the forces of a state; the bounds of the residuals then say whether it keeps its own.
+    /// Encloses the forces of a state. The bounds of the residuals then decide whether it keeps its
+    /// own.
     ///
-    /// They are found once more in twice the digits, at the motion as it is known there: what is left is
-    /// what the motion and the numbers of the scene can be off by.
+    /// The forces are computed again in double-double from the enclosed motion. The remaining error
+    /// is that of the motion and of the scene's numbers.
     pub(super) fn enclose(
         balance: Option<&Balance>,
         engine: &Engine,
@@ -380,7 +383,7 @@ impl Balance {
         state.check_by_bounds(balls);
     }
 
-    /// The forces as they are found.
+    /// Computes the forces without checking them.
     #[inline(always)]
     fn find<T: Number>(
         balance: Option<&Balance>,
@@ -394,7 +397,7 @@ impl Balance {
         }
     }
 
-    /// Finds the forces of a state that has been solved to its accelerations.
+    /// Computes the forces of a state solved to its accelerations.
     #[inline(always)]
     fn balance<T: Number>(&self, engine: &Engine, work: &mut Workspace<T>) {
         let Workspace { state, scratch, .. } = work;
@@ -427,7 +430,7 @@ impl Balance {
         state.forces = Some(forces);
     }
 
-    /// Every step backwards; whether all could be.
+    /// Runs every step backwards. Returns `true` if all succeed.
     #[inline(always)]
     fn run_back<T: Number>(
         &self,

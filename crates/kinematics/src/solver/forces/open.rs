@@ -1,9 +1,10 @@
-//! Reactions that the equilibrium leaves open: those of constraints that repeat others.
+//! Finds the reactions that the equilibrium leaves undetermined: those of redundant constraints.
 //!
-//! The steps stand on as many constraints as there are unknowns. A constraint beyond these may press with
-//! any force: whatever feels it is indeterminate. So each is made to press with a unit force, which the
-//! steps hand down; what has to hold against it, besides the constraint itself where the steps stand on
-//! it, is open.
+//! The steps are built on as many constraints as there are unknowns. An additional constraint may
+//! press with any force, and everything that reacts to it is indeterminate. Therefore each
+//! constraint applies a unit force, which the steps propagate backwards. Every reaction that
+//! remains is undetermined. The action of the constraint itself is included: if the steps are built
+//! on it, both cancel.
 
 use super::{Balance, Extent, ForceState, Slots};
 use crate::solver::network::Network;
@@ -13,13 +14,13 @@ use crate::solver::workspace::Workspace;
 use crate::solver::{Order, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
-/// Below this part of a unit force, what is felt is rounding.
+/// The fraction of a unit force below which a reaction is rounding error.
 pub(super) const FELT: f64 = 1e-9;
-/// Where in the motion constraints are tried, besides where the scene opens: what is open need not be
-/// felt at each place, and scenes open at special ones.
+/// Fractions of the motion at which constraints are tried, in addition to the opening coordinate.
+/// An undetermined reaction may vanish at a single place, and scenes open at special ones.
 const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
 
-/// What cannot be told.
+/// The undetermined reactions.
 #[derive(Clone, Debug)]
 pub(super) struct Open {
     /// By slot.
@@ -29,7 +30,7 @@ pub(super) struct Open {
     pub moments: Vec<bool>,
 }
 
-/// A reaction that a redundant linkage leaves open.
+/// A reaction that a redundant linkage leaves undetermined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Indeterminate {
     /// The force on a link at a joint.
@@ -88,7 +89,7 @@ impl Open {
         }
     }
 
-    /// What is open, in the order of the mechanism.
+    /// Returns the undetermined reactions, in the mechanism's order.
     pub(super) fn list(&self, mechanism: &Mechanism, slots: &Slots) -> Vec<Indeterminate> {
         let mut list = Vec::new();
         for link in mechanism.link_ids() {
@@ -110,8 +111,8 @@ impl Open {
     }
 }
 
-/// Lets every constraint that repeats others press with a unit force at a state, and tells of all that is felt:
-/// what the steps find and, besides, what the constraint itself does.
+/// Applies the unit force of every watched constraint and of every repeated lock at a state. Calls
+/// `tell` with the reactions of the steps, and with the direct action of the constraint.
 pub(super) fn probes(
     balance: &Balance,
     network: &Network<'_>,
@@ -138,7 +139,7 @@ pub(super) fn probes(
     }
 }
 
-/// Presses, hands down, and tells.
+/// Applies a force, propagates it backwards and reports the reactions.
 fn probe(
     balance: &Balance,
     solver: &Solver,
@@ -162,12 +163,12 @@ fn probe(
     state.forces = Some(forces);
 }
 
-/// Written so that what is no number counts.
+/// Returns `true` if a reaction is larger than rounding. NaN counts as a reaction.
 fn is_felt(size: f64) -> bool {
     !(size <= FELT)
 }
 
-/// What a constraint itself does to links and slides while it presses; nothing to begin with.
+/// The direct action of a loaded constraint on links and slides, initially zero.
 pub(super) struct Felt {
     pub(super) joints: Vec<Vec2>,
     pub(super) normals: Vec<f64>,
@@ -184,7 +185,7 @@ impl Felt {
     }
 }
 
-/// A watched constraint presses with a unit force.
+/// Applies a unit force to a watched constraint.
 fn press(
     watch: &WatchedConstraint,
     slots: &Slots,
@@ -221,7 +222,7 @@ fn press(
             if let crate::ElementId::Slide(slide) = watch.element {
                 felt.normals[slide.index()] += 1.0;
                 let given = network.mechanism.slide(slide);
-                // On the link itself, and not by its pin.
+                // On the link itself, not through its pin.
                 if let Slider::Link { link, origin, .. } = given.slider {
                     felt.joints[slots.of(link, origin)] += -guide.n;
                 }
@@ -230,7 +231,7 @@ fn press(
                 }
             }
         }
-        // The driver's own: it repeats nothing.
+        // The driver's own constraints are never redundant.
         Gauge::Pushed { .. } | Gauge::Turned { .. } => {}
     }
 }

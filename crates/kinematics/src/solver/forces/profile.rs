@@ -1,31 +1,32 @@
-//! Values over a coordinate, in any arithmetic: also where rounding leaves open on which side of a knot
-//! the coordinate is.
+//! Evaluates profiles over a coordinate in any arithmetic, even if rounding leaves open on which
+//! side of a knot the coordinate is.
 
 use crate::angle::TURN;
 use crate::{Constant, Number, Profile};
 
-/// A profile made ready to be read: its knots, the slope behind each, and the period if it repeats.
+/// A profile prepared for evaluation: its knots, the slope after each, and the period if it
+/// repeats.
 #[derive(Clone, Debug)]
 pub(super) struct ReadyProfile {
     places: Vec<Constant>,
     values: Vec<Constant>,
     slopes: Vec<f64>,
     period: Option<f64>,
-    /// Whether the coordinate is the driver's: a double that is asked for, so that it is known on which
-    /// side of a jump it lies. What is measured is only as near as rounding leaves it.
+    /// Whether the coordinate is the driver's. A driver coordinate is a given double, so its side
+    /// of a jump is known. A measured length is only known within rounding.
     is_named: bool,
-    /// For equal parts of the whole length a knot that is not behind any place of the part; and how many
-    /// parts a unit of length has.
+    /// For equal parts of the whole length, the index of a knot not after any place of the part.
+    /// `fineness` is the number of parts per unit of length.
     parts: Vec<usize>,
     fineness: f64,
 }
 
-/// So many parts has a curve for each of its knots.
+/// The number of parts of a curve for each of its knots.
 const PARTS: usize = 4;
 
 impl ReadyProfile {
-    /// Over the driver's coordinate; `turns` tells whether it is turned: then a curve whose knots span
-    /// whole turns repeats.
+    /// Creates a profile over the driver's coordinate. `turns` means that the driver turns: then a
+    /// curve whose knots span whole turns repeats.
     pub(super) fn over_driver(profile: &Profile, turns: bool) -> ReadyProfile {
         ReadyProfile {
             is_named: true,
@@ -33,7 +34,7 @@ impl ReadyProfile {
         }
     }
 
-    /// Over a length that is measured.
+    /// Creates a profile over a measured length.
     pub(super) fn over_length(profile: &Profile) -> ReadyProfile {
         ReadyProfile::new(profile, false)
     }
@@ -60,7 +61,7 @@ impl ReadyProfile {
                 .map(|k| (k[1][1] - k[0][1]) / (k[1][0] - k[0][0]))
                 .collect(),
             period: (turns && span > 0.0 && span % TURN == 0.0).then_some(span),
-            // A part further back, so that rounding never begins behind a place.
+            // One part further back, so that rounding never starts after the place.
             parts: (0..count)
                 .map(|part| before(begins(part.saturating_sub(1))))
                 .collect(),
@@ -69,12 +70,13 @@ impl ReadyProfile {
         }
     }
 
-    /// Whether it is 1 everywhere.
+    /// Returns `true` if the profile is 1 everywhere.
     pub(super) fn is_one(&self) -> bool {
         self.places.is_empty()
     }
 
-    /// The value at `x`: straight lines between knots, constant beyond the ends, or from the beginning.
+    /// Returns the value at `x`: linear between knots; beyond the ends constant, or repeated if
+    /// periodic.
     pub(super) fn value<T: Number>(&self, x: T) -> T {
         let x = match (self.period, self.places.first()) {
             (Some(period), Some(first)) => {
@@ -94,18 +96,18 @@ impl ReadyProfile {
         }
     }
 
-    /// On the line where the nearest double is.
+    /// Evaluates the line at the nearest double.
     fn quick<T: Number>(&self, x: T) -> T {
         let (Some(first), Some(&value)) = (self.places.first(), self.values.first()) else {
             return T::exactly(1.0);
         };
         let near = x.nearest();
         let from = near - first.hi;
-        // Written so that NaN is before all.
+        // Written so that NaN lies before all knots.
         if !(from >= 0.0) {
             return T::of(value);
         }
-        // A cast ends at the ends of its type.
+        // The cast saturates.
         let part = (from * self.fineness) as usize;
         let last = self.places.len() - 1;
         let mut k = self.parts.get(part).copied().unwrap_or(last);
@@ -115,7 +117,7 @@ impl ReadyProfile {
         self.line(k, x)
     }
 
-    /// The line behind the knot k, or the constant behind the last one.
+    /// Returns the value of the line after the knot k, or of the constant after the last knot.
     fn line<T: Number>(&self, k: usize, x: T) -> T {
         let value = T::of(self.values[k]);
         match self.slopes.get(k) {
@@ -129,8 +131,8 @@ impl ReadyProfile {
         }
     }
 
-    /// Whatever the value may be where it is not known on which of the lines x lies. Where none can be told
-    /// from another, the last one holds: that behind a jump.
+    /// Returns all values possible at `x` if it is unknown on which line it lies. If lines cannot
+    /// be distinguished, the last one counts: the line after a jump.
     fn around<T: Number>(&self, x: T) -> T {
         let (from, to) = self.between_jumps(x.nearest());
         let is_behind = |k: usize| T::of(self.places[k]).exceeds(x);
@@ -144,8 +146,8 @@ impl ReadyProfile {
         all.reduce(T::either).unwrap_or(T::exactly(1.0))
     }
 
-    /// Which knots have the lines between the jumps on either side of a coordinate that is named; all of them
-    /// for one that is measured.
+    /// Returns the knots of the lines between the jumps on either side of a driver coordinate, and
+    /// all knots for a measured length.
     fn between_jumps(&self, near: f64) -> (usize, usize) {
         let count = self.places.len();
         if !self.is_named {
@@ -157,15 +159,15 @@ impl ReadyProfile {
         (passed.map_or(0, |k| k + 1), ahead.map_or(count, |k| k + 1))
     }
 
-    /// Whether the next knot lies at the same coordinate.
+    /// Returns `true` if the next knot is at the same coordinate.
     fn is_jump(&self, k: usize) -> bool {
         self.places
             .get(k + 1)
             .is_some_and(|next| next.hi == self.places[k].hi)
     }
 
-    /// As the force of a press at a distance from the end of its stroke, `towards` positive while it
-    /// closes: nothing beyond the last knot, nothing on the way back.
+    /// Returns the force of a press at a distance from the end of its stroke; `towards` is positive
+    /// while it closes. Zero beyond the last knot and on the return stroke.
     pub(super) fn press<T: Number>(&self, distance: T, towards: T) -> T {
         let zero = T::default();
         let Some(&last) = self.places.last() else {
@@ -179,7 +181,7 @@ impl ReadyProfile {
         if last.exceeds(distance) && towards.exceeds(zero) {
             force
         } else {
-            // On the last knot, or at the end of the stroke: rounding decides.
+            // On the last knot, or at the end of the stroke, rounding decides.
             force.either(zero)
         }
     }

@@ -1,8 +1,8 @@
-//! What elements hand down with, backwards: forces on arms, guides and joints.
+//! Propagates forces backwards through elements: forces on arms, guides and joints.
 //!
-//! Notation as in the steps: X the joint that was placed, P and Q the pivots, e = X - P and f = X - Q,
-//! t and n along and across a guide. F is the force that has come to a point, M the couple that has
-//! come to a link. "On" a link means: from the pin, or the guide, on it.
+//! The notation is that of the steps: X the placed joint, P and Q the pivots, e = X - P and f = X -
+//! Q, t and n along and across a guide. F is the force accumulated on a point, M the couple
+//! accumulated on a link. A force "on" a link comes from the pin or the guide.
 
 use super::ForceState;
 use super::site::{ArmSite, Held};
@@ -22,7 +22,7 @@ impl<T: Number> ForceState<T> {
         self.links[link.index()]
     }
 
-    /// A force on a link at the end of an arm; its pivot holds against it.
+    /// Applies a force to a link at the end of an arm. The pivot reacts to it.
     #[inline(always)]
     pub(in crate::solver) fn hold(&mut self, reach: &ArmSite, force: Vec2<T>, state: &State<T>) {
         self.points[reach.pivot.index()] += force;
@@ -34,7 +34,8 @@ impl<T: Number> ForceState<T> {
         self.note(reach.slots[1], -force);
     }
 
-    /// The same where the arm goes over several links: the locks hold each against turning.
+    /// Applies a force to an arm that spans several links. The locks keep each of them from
+    /// turning.
     #[cold]
     fn hold_over(&mut self, reach: &ArmSite, force: Vec2<T>, state: &State<T>) {
         for leg in &reach.legs {
@@ -52,7 +53,8 @@ impl<T: Number> ForceState<T> {
         self.joints[slot] += force;
     }
 
-    /// A joint presses on a line with `across` along its normal, at s from the point of the line.
+    /// Applies the force of a joint on a line: `across` along its normal, at s from the point of
+    /// the line.
     #[inline(always)]
     pub(in crate::solver) fn press(
         &mut self,
@@ -67,7 +69,7 @@ impl<T: Number> ForceState<T> {
         if !hold.is_yoke {
             self.note(hold.guide, -force);
         }
-        // A guide that moves with the joint presses on the point that it slides over.
+        // A guide that moves with the joint presses on the point over which it slides.
         self.normals[hold.slide.index()] = if hold.is_yoke { across } else { -across };
         if let Some((line, s)) = line {
             self.points[line.through.index()] += force;
@@ -75,8 +77,8 @@ impl<T: Number> ForceState<T> {
         }
     }
 
-    /// What two arms make of the force at their joint: with g on the far link, f x g = -M2 and
-    /// e x (F - g) = -M1. Gives F - g, the force on the near one.
+    /// Distributes the force at a joint to its two arms. With g on the far link, f x g = -M2 and e
+    /// x (F - g) = -M1. Returns F - g, the force on the near one.
     #[inline(always)]
     pub(in crate::solver) fn share(
         &mut self,
@@ -95,8 +97,8 @@ impl<T: Number> ForceState<T> {
         force - g
     }
 
-    /// What a joint on a line presses on it, of an arm e whose couple the line must hold:
-    /// M + e x (F - N n) = 0, and e x n = e.t.
+    /// Returns the force across a line from a joint on it, with an arm e whose couple the line must
+    /// balance: M + e x (F - N n) = 0, and e x n = e.t.
     #[inline(always)]
     pub(in crate::solver) fn across(
         &self,

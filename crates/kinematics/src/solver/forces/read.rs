@@ -1,22 +1,22 @@
-//! The forces of a state, as they are read.
+//! Reads the forces of a state.
 
 use super::{Extent, ForceState, TorquePart, TorqueScale};
 use crate::solver::state::State;
 use crate::{Input, LinkId, Number, PointId, SlideId, Vec2};
 
-/// How far the two checks miss; zero but for rounding.
+/// The residuals of the force checks: zero except for rounding errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Residual<T = f64> {
-    /// Between the driver's torque (N m), or force (N), and what the virtual work of all that acts asks
-    /// for.
+    /// The difference between the driver's torque (N m) or force (N) and the value required by the
+    /// virtual work of all loads.
     pub drive: T,
-    /// Between the force on the frame and the sum of all that acts, in N.
+    /// The difference between the force on the frame and the sum of all loads, in N.
     pub force: Vec2<T>,
-    /// The same of the moments about the scene's origin, in N m.
+    /// The difference of the moments about the scene's origin, in N m.
     pub moment: T,
 }
 
-/// Equal where all that is read is.
+/// Equal if all readable values are.
 impl<T: Number + PartialEq> PartialEq for ForceState<T> {
     fn eq(&self, other: &ForceState<T>) -> bool {
         let drive = || (&self.drive, &self.work) == (&other.drive, &other.work);
@@ -35,7 +35,7 @@ impl<T: Number + PartialEq> PartialEq for ForceState<T> {
 }
 
 impl<T: Number> State<T> {
-    /// The state has been solved without its forces.
+    /// Clears the forces of a state solved without them.
     #[inline]
     pub(in crate::solver) fn forget_forces(&mut self) {
         if let Some(forces) = &mut self.forces {
@@ -47,22 +47,23 @@ impl<T: Number> State<T> {
         self.forces.as_deref()?.all()
     }
 
-    /// What the driver must do: its torque in N m, or the force of a driven slide in N. `None` where it
-    /// does not exist, or nothing acts, or it was not asked for ([`Order::Force`](crate::solver::Order::Force)).
+    /// Returns the driver's torque in N m, or the force of a driven slide in N. `None` if it does
+    /// not exist, if there are no loads, or if forces were not requested
+    /// ([`Order::Force`](crate::solver::Order::Force)).
     #[must_use]
     pub fn drive(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
         let drive = match forces.extent {
             Extent::Nothing | Extent::Withheld(_) => None,
             Extent::Drive => self.drive_parts().map(|[a, b, c]| a + b + c),
-            // Subtracted, so that nothing has no sign.
+            // Subtracted, so that zero has no negative sign.
             Extent::All => Some(T::default() - forces.drive * forces.scale.drive),
         };
         drive.filter(|drive| drive.is_finite())
     }
 
-    /// What an input must do itself: its torque in N m, or its force in N. Where further inputs follow the driver,
-    /// [`State::drive`] is what does the work of all of them.
+    /// Returns the own torque of an input in N m, or its force in N. If further inputs follow the
+    /// driver, [`State::drive`] does the work of all of them.
     #[must_use]
     pub fn effort(&self, input: Input) -> Option<T> {
         let forces = self.balanced()?;
@@ -71,12 +72,13 @@ impl<T: Number> State<T> {
             Input::Turn(_) => forces.scale.couple,
             Input::Push(_) => T::exactly(1.0),
         };
-        // Subtracted, so that nothing has no sign.
+        // Subtracted, so that zero has no negative sign.
         let effort = T::default() - forces.efforts[number] * unit;
         Some(effort).filter(|effort| effort.is_finite())
     }
 
-    /// What it does against loads (springs among them), against gravity and against inertia.
+    /// Returns the parts of the drive against loads (including springs), against gravity and
+    /// against inertia.
     #[must_use]
     pub fn drive_parts(&self) -> Option<[T; 3]> {
         let forces = self.forces.as_deref()?;
@@ -85,7 +87,7 @@ impl<T: Number> State<T> {
         matches!(forces.extent, Extent::Drive | Extent::All).then_some(parts)
     }
 
-    /// The power of the driver in W: positive where it gives energy to the linkage.
+    /// Returns the power of the driver in W: positive if it gives energy to the linkage.
     #[must_use]
     pub fn power(&self) -> Option<T> {
         let forces = self.forces.as_deref()?;
@@ -95,8 +97,8 @@ impl<T: Number> State<T> {
         Some(self.drive()? * speed)
     }
 
-    /// The force on a link at one of its joints, in N, in the ground's frame: that of the pin, or, at
-    /// the origin of a link that slides, what does not come from the guide.
+    /// Returns the force on a link at one of its joints, in N, in the ground's frame. It is the
+    /// force of the pin; at the origin of a sliding link it excludes the force of the guide.
     #[must_use]
     pub fn joint_force(&self, link: LinkId, point: PointId) -> Option<Vec2<T>> {
         let forces = self.balanced()?;
@@ -104,8 +106,8 @@ impl<T: Number> State<T> {
         (!forces.open.joints[slot]).then(|| forces.joints[slot])
     }
 
-    /// The force of a guide on what slides along it, in N, positive along the guide's direction turned
-    /// by +90 degrees.
+    /// Returns the force of a guide on its slider, in N, positive along the guide's direction
+    /// turned by +90 degrees.
     #[must_use]
     pub fn normal(&self, slide: SlideId) -> Option<T> {
         let forces = self.balanced()?;
@@ -113,8 +115,8 @@ impl<T: Number> State<T> {
         (!is_open).then(|| forces.normals[slide.index()])
     }
 
-    /// The moment of a guide on a link that slides without turning, in N m, counter-clockwise, about the
-    /// link's origin.
+    /// Returns the moment of a guide on a link that slides without turning, in N m,
+    /// counter-clockwise, about the link's origin.
     #[must_use]
     pub fn moment(&self, slide: SlideId) -> Option<T> {
         let forces = self.balanced()?;
@@ -122,13 +124,14 @@ impl<T: Number> State<T> {
         (!is_open).then(|| forces.moments[slide.index()] * forces.scale.couple)
     }
 
-    /// The shaking force: of the whole on the frame, in N.
+    /// Returns the shaking force: the total force on the frame, in N.
     #[must_use]
     pub fn frame_force(&self) -> Option<Vec2<T>> {
         Some(self.balanced()?.frame)
     }
 
-    /// The shaking moment: of the whole on the frame, motor included, in N m about the scene's origin.
+    /// Returns the shaking moment: the total moment on the frame, motor included, in N m about the
+    /// scene's origin.
     #[must_use]
     pub fn frame_moment(&self) -> Option<T> {
         let forces = self.balanced()?;
@@ -136,7 +139,7 @@ impl<T: Number> State<T> {
         Some(forces.frame_moment * couple + origin.cross(forces.frame))
     }
 
-    /// How far the two checks miss; also where the forces are withheld for it.
+    /// Returns the residuals of the checks, even if the forces are not shown because of them.
     #[must_use]
     pub fn residual(&self) -> Option<Residual<T>> {
         let forces = self.forces.as_deref()?;

@@ -1,4 +1,4 @@
-//! The site of an element, seen backwards: the places where the forces that pass it are noted.
+//! Describes an element for the backward pass: the slots of the forces that pass through it.
 
 use super::slots::{Slot, Slots};
 use crate::solver::elements::{Arm, Pass, Step};
@@ -11,34 +11,35 @@ use crate::{Input, LinkId, PointId, SlideId};
 pub(in crate::solver) struct ArmSite {
     pub pivot: PointId,
     pub link: LinkId,
-    /// The force on the link at the arm's end, and at its pivot.
+    /// The slots of the forces on the link at the arm's end, and at its pivot.
     pub slots: [Slot; 2],
-    /// Where the arm goes over several links that are locked to each other, all of them.
+    /// All links of an arm that spans several links locked to each other.
     pub legs: Vec<LegSite>,
 }
 
-/// A link on the way of an arm, between two of its joints.
+/// A link in the chain of an arm, between two of its joints.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct LegSite {
     pub link: LinkId,
-    /// The joint further out, and the one nearer to the pivot; and the places of the forces there.
+    /// The outer joint, and the one nearer to the pivot. `slots` has the slots of the forces there.
     pub joints: [PointId; 2],
     pub slots: [Slot; 2],
 }
 
-/// A joint on a known line: where its force across the line is noted.
+/// A joint on a known line: the slots of its force across the line.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Held {
     pub slide: SlideId,
     /// Whether the guide moves with the joint, over a known point.
     pub is_yoke: bool,
-    /// On the link between the joint and the slide: at the joint, and at the sliding point.
+    /// The slots on the link between the joint and the slide: at the joint, and at the sliding
+    /// point.
     pub carrier: [Slot; 2],
-    /// On the guide's link at the point that the line runs through.
+    /// The slot on the guide's link at the point of the line.
     pub guide: Slot,
 }
 
-/// The passes of a program, in the order of its steps.
+/// Returns the backward passes of a program, in the order of its steps.
 pub(super) fn passes(network: &Network<'_>, program: &Program, slots: &Slots) -> Vec<Pass> {
     let steps = program.steps.iter().enumerate();
     let passes = steps.filter_map(|(at, step)| {
@@ -52,9 +53,9 @@ pub(super) fn passes(network: &Network<'_>, program: &Program, slots: &Slots) ->
     passes.collect()
 }
 
-/// An element among the others.
+/// An element with its context in the program.
 pub(in crate::solver) struct Site<'a> {
-    /// Its place among the steps.
+    /// The index of its step.
     at: usize,
     network: &'a Network<'a>,
     program: &'a Program,
@@ -62,17 +63,17 @@ pub(in crate::solver) struct Site<'a> {
 }
 
 impl Site<'_> {
-    /// What the driver's coordinate is.
+    /// Returns the input of the driver's coordinate.
     pub(in crate::solver) fn input(&self) -> Input {
         self.network.mechanism.driver().input
     }
 
-    /// Where the force on a link at one of its points is noted.
+    /// Returns the slot of the force on a link at one of its points.
     pub(in crate::solver) fn slot(&self, link: LinkId, point: PointId) -> Slot {
         self.slots.of(link, point)
     }
 
-    /// An arm of the element, to its end.
+    /// Returns an arm of the element, to its end.
     pub(in crate::solver) fn reach(&self, arm: &Arm, end: PointId) -> ArmSite {
         let Arm { pivot, link, .. } = *arm;
         ArmSite {
@@ -83,7 +84,7 @@ impl Site<'_> {
         }
     }
 
-    /// The arm of a cylinder: its rod's end is no point of the barrel.
+    /// Returns the arm of a cylinder, whose rod end is not a point of the barrel.
     pub(in crate::solver) fn barrel(&self, link: LinkId, pivot: PointId) -> ArmSite {
         ArmSite {
             pivot,
@@ -93,7 +94,7 @@ impl Site<'_> {
         }
     }
 
-    /// The links on the way of the arm of a step that is known by this one.
+    /// Returns the links of this step's arm, identified by `arm`.
     fn legs(&self, arm: LinkId) -> Vec<LegSite> {
         let legs = self.program.legs.iter();
         let legs = legs.filter(|(step, leg)| *step == self.at && leg.arm == arm);
@@ -105,7 +106,7 @@ impl Site<'_> {
         legs.collect()
     }
 
-    /// The slide of an arm that swings through a pin, and the links between the two.
+    /// Returns the slide of an arm that swings through a pin, and the links between the two.
     pub(in crate::solver) fn swung(&self, pin: PointId) -> (Option<SlideId>, Vec<LegSite>) {
         let Some(hold) = self.holds().next() else {
             return (None, Vec::new());
@@ -139,7 +140,7 @@ impl Site<'_> {
         holds.filter(|(step, _)| *step == self.at).map(|(_, h)| *h)
     }
 
-    /// The joint of the element on one of its known lines.
+    /// Returns the slots of the element's joint on one of its known lines.
     pub(in crate::solver) fn held(&self, which: usize, point: PointId) -> Option<Held> {
         let hold = self.holds().nth(which)?;
         let nowhere = self.slots.nowhere();
@@ -160,8 +161,8 @@ impl Site<'_> {
         })
     }
 
-    /// Where the guide's line runs through a joint of its link, that joint feels what the guide is
-    /// given; else a step carries it there.
+    /// Returns the slot of the joint on the guide's link through which the line runs. Without one,
+    /// a step carries the force there.
     fn through(&self, hold: Hold, on: LinkId) -> Slot {
         let lines = self.program.steps.iter().find_map(|step| match step {
             Step::SlideReadout(travel) if travel.slide == hold.slide => Some(travel.line.through),

@@ -1,16 +1,16 @@
-//! Where forces at joints are noted.
+//! Assigns storage slots to the forces at joints.
 
 use crate::{LinkId, Mechanism, PointId};
 
-/// Where the force on a link at one of its points is noted: a place for every member of every link, and
-/// one more for what nobody asks about.
+/// The slots of the forces on links at their points: one for every member of every link, and one
+/// more for forces that are not read.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Slots {
     starts: Vec<usize>,
     pub(super) members: Vec<PointId>,
 }
 
-/// A place in the list of forces at joints.
+/// An index in the list of forces at joints.
 pub(in crate::solver) type Slot = usize;
 
 impl Slots {
@@ -27,7 +27,7 @@ impl Slots {
         slots
     }
 
-    /// The place that nobody reads.
+    /// Returns the slot that is never read.
     pub(super) fn nowhere(&self) -> Slot {
         self.members.len()
     }

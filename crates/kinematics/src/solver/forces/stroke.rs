@@ -1,4 +1,4 @@
-//! Where the stroke of a slide ends.
+//! Finds the end of a slide's stroke.
 
 use crate::solver::{DeadCentre, Order, Solver};
 use crate::{Constant, SlideId, StrokeEnd};
@@ -12,11 +12,11 @@ pub(super) struct Stroke {
     pub(super) at: f64,
 }
 
-/// The least or greatest position of a slide in the whole motion, in the scene's unit, and how far the
-/// true one can be from it.
+/// Returns the minimum or maximum position of a slide in the whole motion, in the scene's unit,
+/// with its error bound.
 ///
-/// There the position changes by the square of what the driver is off, so that it is as good as any
-/// other.
+/// An error of the driver's coordinate changes this position only by its square, so the position is
+/// as accurate as any other.
 pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Stroke {
     let centres = solver.dead_centres(slide).into_iter();
     let by_position = |a: &DeadCentre, b: &DeadCentre| a.position.total_cmp(&b.position);
@@ -24,7 +24,7 @@ pub(super) fn end(solver: &Solver, slide: SlideId, end: StrokeEnd) -> Stroke {
         StrokeEnd::Least => centres.min_by(by_position),
         StrokeEnd::Greatest => centres.max_by(by_position),
     };
-    // One that never turns stands still, and is everywhere at its end.
+    // A slide that never reverses is at rest, and at its end everywhere.
     let at = last.map_or(solver.opening, |centre| centre.at);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
     let _ = solver.solve(at, Order::Position, &mut state);

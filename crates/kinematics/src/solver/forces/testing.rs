@@ -28,10 +28,10 @@ pub(super) fn falsify_if_asked(mut passes: Vec<Pass>) -> Vec<Pass> {
 /// The forces and loads of a state.
 struct Noted {
     forces: ForceState<f64>,
-    /// What acts: on points, and as couples on links.
+    /// The loads on points, and as couples on links.
     points: Vec<Vec2>,
     couples: Vec<f64>,
-    /// What acts on a link at a point, and not on the pin there.
+    /// The loads on a link at a point that do not act on the pin there.
     pressed: Vec<(LinkId, PointId, Vec2)>,
 }
 
@@ -80,7 +80,7 @@ impl ForceSum {
     }
 }
 
-/// What the guide of a slide does to what slides: a force at its point, and a couple.
+/// Returns the sliding point of a slide, and the force of the guide on it.
 fn guided(mechanism: &Mechanism, slide: SlideId, state: &State, of: &Noted) -> (PointId, Vec2) {
     let t = state.travels[slide.index()].guide.d;
     let along = if mechanism.driver().input == Input::Push(slide) {
@@ -133,7 +133,7 @@ fn pin_miss(mechanism: &Mechanism, point: PointId, state: &State, of: &Noted) ->
         let (at, force) = guided(mechanism, slide, state, of);
         match mechanism.slide(slide).slider {
             Slider::Pin(pin) if pin == point => sum.add(Vec2::ZERO, force),
-            // What the guide does to a link has been taken from its origin's pin.
+            // The guide's force on a link has been subtracted from its origin's pin.
             Slider::Link { .. } if at == point => sum.size = sum.size.max(force.norm()),
             Slider::Pin(_) | Slider::Link { .. } => {}
         }
@@ -154,7 +154,7 @@ pub fn check_equilibrium(solver: &Solver, coordinates: impl Iterator<Item = f64>
         if solver.solve(at, Order::Force, &mut state) != Condition::Ok {
             continue;
         }
-        // Beside a singular place everything is large, and rounding with it.
+        // Near a singularity all forces are large, and so are their rounding errors.
         if state.measures.iter().any(|m| m.abs() < 1e-3) {
             continue;
         }

@@ -4,7 +4,7 @@ use super::*;
 use crate::solver::Range;
 use crate::solver::state::{LinkState, PointState, TravelState};
 
-/// Everything in a state that a figure is read from, and the measures.
+/// Returns all numbers of a state from which values are read, and the measures.
 fn numbers<T: Copy>(state: &State<T>) -> Vec<T> {
     let mut all = vec![state.at];
     for &PointState { p, v, a } in &state.points {

@@ -1,4 +1,4 @@
-//! What each load does at a state, one by one, to be read.
+//! Reads the action of each load at a state.
 
 use super::{Act, Acting, closing};
 use crate::solver::forces::ForceState;
@@ -6,33 +6,33 @@ use crate::solver::state::State;
 use crate::solver::{Order, Solver};
 use crate::{LinkId, PointId, Vec2};
 
-/// What one load does at a state.
+/// The action of one load at a state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Acted {
-    /// Its forces with the points where they act, in N in the ground's frame.
+    /// Its forces with the points at which they act, in N in the ground's frame.
     pub forces: Vec<(PointId, Vec2)>,
     /// Its couples on links, in N m.
     pub couples: Vec<(LinkId, f64)>,
-    /// The link on which it acts itself, and not on the pin at that point: of a press, what slides.
+    /// The link on which it acts itself, not on the pin at that point: the sliding link of a press.
     pub on: Option<LinkId>,
-    /// Of a press, where it is in its stroke.
+    /// The position of a press in its stroke.
     pub stroke: Option<PressStroke>,
 }
 
-/// Where a press is in its stroke.
+/// The position of a press in its stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PressStroke {
-    /// How far from the end, in the scene's unit: 0 there.
+    /// The distance from the end of the stroke, in the scene's unit: 0 at the end.
     pub distance: f64,
-    /// Where it ends, in the scene's unit along the guide.
+    /// The position of the end along the guide, in the scene's unit.
     pub bottom: f64,
     /// Whether it moves towards the end.
     pub closes: bool,
 }
 
 impl Solver {
-    /// What the loads of the mechanism do at a state that is solved to its velocities, in their order;
-    /// nothing where there are no velocities.
+    /// Returns the actions of the mechanism's loads, in their order, at a state solved at least to
+    /// its velocities. Empty without velocities.
     #[must_use]
     pub fn acted(&self, state: &State) -> Vec<Acted> {
         let exists = state.has(Order::Velocity);

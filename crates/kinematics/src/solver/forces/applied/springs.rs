@@ -1,4 +1,5 @@
-//! Springs: between two points along their line, and between two bodies about their angle.
+//! Evaluates springs: between two points along their line, and between two bodies about their
+//! angle.
 
 use super::Bears;
 use crate::angle::TURN;
@@ -7,7 +8,7 @@ use crate::solver::forces::profile::ReadyProfile;
 use crate::solver::state::State;
 use crate::{Body, Constant, LinkId, Number, PointId, Profile, Vec2};
 
-/// A spring between two points, and a damper beside it.
+/// A spring between two points, with a damper in parallel.
 #[derive(Clone, Debug)]
 pub(super) struct LineSpring {
     pub(super) from: PointId,
@@ -16,24 +17,26 @@ pub(super) struct LineSpring {
     damping: Constant,
 }
 
-/// With what it pulls at a length.
+/// The tension of a spring as a function of its length.
 #[derive(Clone, Debug)]
 enum SpringLaw {
-    /// Of [`Load::Spring`](crate::Load::Spring), in the solver's lengths; the stiffness in N/m.
+    /// The law of [`Load::Spring`](crate::Load::Spring), in the solver's lengths; the stiffness in
+    /// N/m.
     Straight {
         stiffness: Constant,
         length: Constant,
         preload: Constant,
     },
-    /// What it pushes with, over the length in the scene's unit, of which the solver's has so many.
+    /// The push force over the length in the scene's unit. `scale` is the solver's length in that
+    /// unit.
     Given { force: ReadyProfile, scale: f64 },
 }
 
-/// A spring between two bodies that turns them towards an angle, and a damper beside it.
+/// A spring between two bodies that turns them towards an angle, with a damper in parallel.
 #[derive(Clone, Debug)]
 pub(super) struct TorsionSpring {
     pub(super) link: LinkId,
-    /// The link to which it is fixed; the ground without one.
+    /// The other link to which it is attached; `None` for the ground.
     pub(super) to: Option<LinkId>,
     /// In N m/rad.
     stiffness: Constant,
@@ -44,7 +47,8 @@ pub(super) struct TorsionSpring {
 }
 
 impl LineSpring {
-    /// By its stiffness, its length, its preload and its damping; `scale` is the scene's length of the solver's.
+    /// Creates a spring from its stiffness, length, preload and damping. `scale` is the solver's
+    /// length in the scene's unit.
     pub(super) fn straight(
         [from, to]: [PointId; 2],
         [stiffness, length, preload, damping]: [f64; 4],
@@ -64,7 +68,7 @@ impl LineSpring {
         }
     }
 
-    /// By what it pushes with over its length.
+    /// Creates a spring from its push force over its length.
     pub(super) fn gas(
         [from, to]: [PointId; 2],
         (force, damping): (&Profile, f64),
@@ -79,12 +83,12 @@ impl LineSpring {
         }
     }
 
-    /// Whether it is one formula over all lengths.
+    /// Returns `true` if it is a single formula over all lengths.
     pub(super) fn is_smooth(&self) -> bool {
         matches!(self.law, SpringLaw::Straight { .. })
     }
 
-    /// Pulls its two ends together; `unit` is the solver's length in metres.
+    /// Applies the forces that pull the two ends together. `unit` is the solver's length in metres.
     #[inline(always)]
     pub(super) fn pull<T: Number>(&self, state: &State<T>, unit: T, forces: &mut impl Bears<T>) {
         let (a, b) = (
@@ -93,7 +97,7 @@ impl LineSpring {
         );
         let e = b.p - a.p;
         let pull = match self.by_distance() {
-            // It pulls by k e: also where its ends meet.
+            // It pulls by k e, even if its ends coincide.
             Some(stiffness) => e * (T::of(stiffness) * unit),
             None => {
                 let size = e.norm2().sqrt();
@@ -106,7 +110,7 @@ impl LineSpring {
         forces.push(TorquePart::Load, self.to, -pull, state);
     }
 
-    /// The stiffness of a spring that asks for nothing but the distance.
+    /// Returns the stiffness of a spring that depends only on the distance vector.
     fn by_distance(&self) -> Option<Constant> {
         let none = Constant::default();
         match self.law {
@@ -121,7 +125,8 @@ impl LineSpring {
 }
 
 impl SpringLaw {
-    /// In N, at a length of the solver's and with what damps, in N by the solver's length in metres.
+    /// Returns the tension in N at a length in the solver's unit; `damped` is the damping in N per
+    /// solver's length in metres.
     #[inline(always)]
     fn tension<T: Number>(&self, size: T, damped: T, unit: T) -> T {
         match self {
@@ -139,7 +144,7 @@ impl SpringLaw {
 }
 
 impl TorsionSpring {
-    /// By its stiffness, its free angle, its preload and its damping.
+    /// Creates a spring from its stiffness, free angle, preload and damping.
     pub(super) fn new(
         link: LinkId,
         to: Body,
@@ -158,7 +163,7 @@ impl TorsionSpring {
         }
     }
 
-    /// Turns its bodies towards the free angle.
+    /// Applies the couples that turn the bodies towards the free angle.
     #[inline(always)]
     pub(super) fn turn_back<T: Number>(
         &self,
@@ -185,10 +190,10 @@ impl TorsionSpring {
     }
 }
 
-/// By how many degrees a direction is turned from the free one, at most half a turn: between -180 and 180.
+/// Returns the rotation of a direction from the free one in degrees, between -180 and 180.
 fn from_free<T: Number>(turn: Vec2<T>, free: Vec2<T>) -> T {
     let half = T::exactly(0.5 * TURN);
-    // Counted from opposite the free one, where the count begins anew.
+    // Counted from opposite the free direction, where the angle wraps around.
     let angle = T::degrees(-turn.turned(free.conj())) - half;
     if T::IS_CHEAP || half.exceeds(angle.abs()) {
         return angle;
