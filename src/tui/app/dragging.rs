@@ -58,7 +58,8 @@ const FULL_TURN: f64 = 360.0;
 const ANGLE_STEP: f64 = 0.5;
 
 impl TypedPlace {
-    /// Returns the values that determine a point's position, if the point has a name.
+    /// Returns the values that determine a point's position; `None` for a point without a name, or
+    /// with neither ground nor link.
     fn of(scene: &Scene, point: PointId) -> Option<TypedPlace> {
         let name = scene.point_name(point)?.to_owned();
         let link = match scene.mechanism.point(point).ground {

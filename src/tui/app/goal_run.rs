@@ -10,8 +10,8 @@ use crate::tui::figures::format::coordinate;
 use crate::wording::words;
 use std::sync::Arc;
 
-/// Number of random starting points in addition to the given design, and their seed; as in `krank
-/// solve`.
+/// Number of random starting points in addition to the given design, and their seed, as in
+/// `krank solve`.
 const STARTS: u32 = 24;
 const SEED: u64 = 1;
 /// Significant digits of a found value, and decimals in messages.
