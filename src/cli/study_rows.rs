@@ -9,8 +9,8 @@ use std::io::{self, BufRead, BufReader};
 use std::ops::Range;
 use std::path::Path;
 
-/// Maximum number of rows to compute again. A longer file is checked in evenly distributed blocks
-/// of `BLOCK` rows.
+/// Maximum number of rows to compute again. A longer file is checked in evenly distributed
+/// blocks.
 const CHECKED: u64 = 10_000;
 const BLOCK: u64 = 100;
 

@@ -97,8 +97,8 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// Returns the quantities that the patterns name or define, or the default ones without patterns.
-/// The driver and the state may be named, although they have columns anyway.
+/// Returns the quantities that the patterns name or define. Without patterns, returns all of them
+/// except those of marks. The driver and the state may be named, although they have columns anyway.
 pub(super) fn figures(
     catalogue: &mut Catalogue,
     patterns: &[String],

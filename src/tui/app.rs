@@ -191,7 +191,7 @@ impl App {
         self.clerk.bell()
     }
 
-    /// Clears the signal of [`App::bell`].
+    /// Clears the signal that a file operation has ended.
     pub(crate) fn hush(&self) {
         self.clerk.hush();
     }

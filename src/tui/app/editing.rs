@@ -98,7 +98,8 @@ impl App {
         self.put_all(vec![(value.clone(), text)], deed, now)
     }
 
-    /// Replaces the texts of several values in one edit. Returns as [`App::put`] does.
+    /// Replaces the texts of several values in one edit. If the scene would be invalid, reports why
+    /// and returns `false`.
     pub(super) fn put_all(
         &mut self,
         texts: Vec<(Value, String)>,

@@ -28,7 +28,7 @@ impl App {
     }
 
     /// Handles the results of finished file operations where the caller cannot quit the program. A
-    /// pending quit is left to the next [`App::attend`].
+    /// pending quit is left to the next call that can.
     pub(super) fn take_in(&mut self, now: Duration) {
         while let Some(then) = self.clerk.next() {
             then(self, now);

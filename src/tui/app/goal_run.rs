@@ -180,7 +180,7 @@ fn told_figures(goals: &[Goal], design: &FoundDesign) -> String {
     figures.collect::<Vec<_>>().join(", ")
 }
 
-/// Rounds a number to [`DIGITS`] significant digits; smaller changes do not affect a goal.
+/// Rounds a number to the significant digits of a found value. Smaller changes do not affect a goal.
 fn to_digits(number: f64) -> f64 {
     let places = usize::try_from(DIGITS - 1).unwrap_or(0);
     format!("{number:.places$e}").parse().unwrap_or(number)

@@ -217,7 +217,7 @@ impl<T> Desk<T> {
 }
 
 impl<T> Drop for Clerk<T> {
-    /// Waits for pending file jobs, at most [`FAREWELL`].
+    /// Waits for pending file jobs, up to a time limit.
     fn drop(&mut self) {
         let end = Instant::now() + FAREWELL;
         while let Some(desk) = self.desk.as_mut().filter(|desk| desk.files > 0) {

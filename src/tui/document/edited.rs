@@ -197,7 +197,7 @@ mod nudges {
         })
     }
 
-    /// A small step for a value.
+    /// Returns a small step for a value.
     fn nudge(value: &Value, size: f64) -> f64 {
         let own = if value.number == 0.0 {
             size
@@ -211,7 +211,8 @@ mod nudges {
         }
     }
 
-    /// How far any point is moved, for the size of the linkage, at most, over the motion.
+    /// Returns the maximum displacement of any point over the motion, relative to the size of the
+    /// linkage.
     fn farthest(one: &OpenScene, other: &Solver) -> f64 {
         let (low, high) = one.solver().motion().range.ends();
         let size = one.reach().bounds().size().norm();
@@ -268,6 +269,7 @@ mod nudges {
         }
     }
 
-    /// Of the size of the linkage; another assembly would be farther off.
+    /// Maximum displacement relative to the size of the linkage; another assembly would be farther
+    /// off.
     const MOST_MOVED: f64 = 0.1;
 }

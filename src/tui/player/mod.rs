@@ -200,8 +200,8 @@ impl Player {
         self.playback.is_playing().then(|| self.frame + FRAME)
     }
 
-    /// Measures the cost of a state if due: at once for another scene, after [`cost::PAUSE`] for
-    /// another coordinate.
+    /// Measures the cost of a state if due: at once for another scene, after a pause for another
+    /// coordinate.
     pub(crate) fn weigh(&mut self, now: Duration) {
         let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
         let weighed = self.weighed.as_ref();

@@ -352,7 +352,7 @@ mod tests {
         })
     }
 
-    /// What can be seen of a cell: of a blank neither its colour nor whether it is bold.
+    /// Returns the visible properties of a cell: those of a blank exclude its colour and boldness.
     fn seen(terminal: &vt100::Parser, x: u16, y: u16) -> impl PartialEq + std::fmt::Debug {
         let cell = terminal.screen().cell(y, x).unwrap();
         let blank = !cell.has_contents() || cell.contents() == " ";

@@ -336,7 +336,7 @@ mod tests {
 
     const MOMENT: Duration = Duration::from_millis(1);
 
-    /// A line that takes so many bytes a second, with its way there and back.
+    /// A line with a rate in bytes per second and a round-trip time in seconds.
     struct Line {
         rate: f64,
         way: f64,
@@ -347,8 +347,8 @@ mod tests {
             self.way + bytes as f64 / self.rate
         }
 
-        /// Sends what there is room for, up to `most` bytes, so many times, each after its answer;
-        /// the longest that one took on the line, and the room that there is at last.
+        /// Sends `count` frames of the permitted length, up to `most` bytes, each after the
+        /// previous answer. Returns the longest transmission time and the final length limit.
         fn frames(&self, rate_limit: &mut RateLimit, count: usize, most: usize) -> (f64, usize) {
             let mut now = Instant::now();
             let mut longest: f64 = 0.0;
