@@ -5,8 +5,8 @@ use crate::capability::{Capability, Judgement};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
 
-/// Returns the initial screen, `cols` x `rows` characters, as text. Timed measurements are
-/// completed first; no terminal is needed or queried.
+/// Returns the initial screen, `cols` x `rows` characters, as text. Neither needs nor queries a
+/// terminal. Timed measurements are completed first.
 ///
 /// Glyphs follow from the environment, as for the workbench itself, or are ASCII if the workbench
 /// would not open there.
