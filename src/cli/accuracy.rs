@@ -1,4 +1,4 @@
-//! `krank accuracy`: measures, and writes what was found.
+//! `krank accuracy`: runs the accuracy study and writes its findings.
 
 use super::args::{AccuracyArgs, OutputFormat};
 use super::failure::Failure;
@@ -12,11 +12,11 @@ use crate::study::{Findings, Study};
 use crate::wording::words;
 use std::time::{Duration, Instant};
 
-/// Between two looks at how far it has come.
+/// Time between two progress reports.
 const SLICE: Duration = Duration::from_millis(50);
-/// How finely that is told.
+/// Resolution of the progress.
 const PARTS: u64 = 1000;
-/// The chart below the table.
+/// Size of the chart below the table, in columns and rows.
 const CHART: (u16, u16) = (80, 20);
 
 pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -42,7 +42,7 @@ pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Fa
 
 fn measured(mut study: Study, screen: TextScreen) -> Findings {
     let begun = Instant::now();
-    // Results come only at the end: the line stands in nobody's way.
+    // Results are written only at the end, so the progress line disturbs no output.
     let mut progress = Progress::new(PARTS, words().parts(), screen, false);
     while study.advance(&mut || begun.elapsed(), SLICE) {
         #[expect(

@@ -1,4 +1,4 @@
-//! The commands that take a line or two each.
+//! The commands that need only a few lines each.
 
 use super::args::{
     CheckArgs, CheckFormat, Cli, CompletionShell, OutputFormat, PlaceArgs, StartArgs, TableArgs,
@@ -21,7 +21,7 @@ use clap::{Arg, Command, CommandFactory};
 use clap_complete::{Generator, Shell};
 use clap_complete_nushell::Nushell;
 
-/// `krank list`: a line per preset.
+/// Runs `krank list`: prints a line per preset.
 pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
     let presets = presets::all();
     let width = presets.iter().map(|p| p.name.len()).max().unwrap_or(0);
@@ -34,7 +34,7 @@ pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
     write_text(None, &text)
 }
 
-/// `krank check`: what was understood of a scene.
+/// Runs `krank check`: prints the interpretation of a scene.
 pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let check = Check::new(&scene, &solver);
@@ -45,7 +45,8 @@ pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure>
     write_text(args.output.output.as_deref(), &text)
 }
 
-/// `krank table`: position, velocity and acceleration, and what acts, at one coordinate of the driver.
+/// Runs `krank table`: prints positions, velocities, accelerations and loads at one driver
+/// coordinate.
 pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
@@ -113,7 +114,8 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// What exists in a state and is not shown makes the command fail, once all else has been written.
+/// Returns an error if any existing value of a state is not shown. Runs after all other output is
+/// written.
 pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
     let catalogue = Catalogue::new(scene);
     none_hidden(catalogue.all(), &catalogue, state)
@@ -130,14 +132,14 @@ fn none_hidden<'q>(
     }
 }
 
-/// The place that is meant: where the scene opens, or what was typed, which may be so many turns or
-/// decimals from the one place that the driver comes to.
+/// Returns the driver coordinate: the scene's initial one, or the typed one. A typed coordinate may
+/// differ by full turns, or by rounding, from the only one in the driver's range.
 pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
     let typed = args.typed().unwrap_or(scene.mechanism.driver().start);
     place_meant(typed, scene, solver, screen)
 }
 
-/// The place that is meant by one that was typed.
+/// Returns the coordinate in the driver's range meant by a typed one, with a note if they differ.
 pub(super) fn place_meant(typed: f64, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
     let driver = scene.mechanism.driver();
     let range = solver.motion().range;
@@ -152,7 +154,7 @@ pub(super) fn place_meant(typed: f64, scene: &Scene, solver: &Solver, screen: Te
     at
 }
 
-/// There is no state here.
+/// Returns the error for a coordinate without an assembly.
 pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     let catalogue = Catalogue::new(scene);
     let driver = catalogue.driver();
@@ -167,7 +169,7 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     })
 }
 
-/// Refuses more derivatives by lengths than there is memory and time for.
+/// Returns an error if the derivatives by lengths would need too much memory and time.
 pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
     let lengths = scene.mechanism.lengths().len();
     if lengths.saturating_mul(figures) <= MOST_DERIVATIVES {
@@ -178,7 +180,7 @@ pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
     ))
 }
 
-/// Says how many of what was written have no bound, and why.
+/// Reports the number of values without an error bound.
 pub(super) fn note_unproved(unproved: u64, figures: u64, screen: TextScreen) {
     if unproved > 0 {
         note(&words().unproved(&unproved, &figures), screen);
@@ -191,8 +193,8 @@ pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
     }
 }
 
-/// Near a change point the lengths' last digits decide which way the motion goes: whoever reads its
-/// figures should know.
+/// Warns about nearby change points, where the last digits of the lengths determine how the motion
+/// continues.
 pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
@@ -201,7 +203,7 @@ pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: TextSc
     }
 }
 
-/// `krank start`: the scene with the start positions of an assembly.
+/// Runs `krank start`: prints the scene with the start positions of an assembly.
 pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
     let start = scene.mechanism.driver().start;
@@ -211,7 +213,7 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
     }
 }
 
-/// `krank completions`.
+/// Runs `krank completions`.
 pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<(), Failure> {
     let script = match shell {
         CompletionShell::Bash => completion_script(Shell::Bash),
@@ -225,12 +227,12 @@ pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<
     let presets: Vec<&str> = presets::all().iter().map(|preset| preset.name).collect();
     let presets = presets.join(" ");
     match shell {
-        // The generator lists values in place of files; a scene may be either.
+        // The generator lists values instead of files; a scene may be either.
         CompletionShell::Zsh => {
             let values = format!("({presets})");
             script = script.replace(&values, &format!("{{compadd {presets}; _files}}"));
         }
-        // The generator leaves out arguments that are no options.
+        // The generator omits positional arguments.
         CompletionShell::Fish => {
             let without = ["list", "help", "man", "completions", "config"].join(" ");
             script += &format!(
@@ -243,7 +245,7 @@ pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<
 }
 
 fn completion_script(generator: impl Generator) -> String {
-    // The generator panics where it cannot write, so it writes to memory.
+    // The generator panics on write errors, so it writes to memory.
     let mut script = Vec::new();
     clap_complete::generate(generator, &mut with_presets(), "krank", &mut script);
     String::from_utf8_lossy(&script).into_owned()
@@ -261,7 +263,7 @@ fn with_presets() -> Command {
     krank.mut_subcommands(move |command| command.mut_args(with))
 }
 
-/// `krank man`: the page of krank, or of one of its commands.
+/// Runs `krank man`: prints the manual page of krank or of one of its commands.
 pub(super) fn man(command: Option<&str>, screen: TextScreen) -> Result<(), Failure> {
     let mut krank = Cli::command();
     krank.build();

@@ -1,4 +1,4 @@
-//! The configuration: found, read, and printed as it is built in.
+//! Finds and reads the configuration, and prints the default one.
 
 use super::failure::{Failure, say};
 use super::output::write_text;
@@ -10,29 +10,30 @@ use crate::wording::{Language, words};
 use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// `krank config`.
+/// Runs `krank config`: prints the default configuration.
 pub(super) fn config(screen: TextScreen) -> Result<(), Failure> {
     write_text(None, &screen.shown(&tui::template()))
 }
 
-/// The language that is configured, for what is said before anything else is asked of the configuration. What is
-/// wrong with it is told by whoever needs it, and what comes through a pipe can be read once.
+/// Returns the configured language, for messages before the configuration is loaded. Ignores
+/// errors, which `load` reports, and pipes, which can be read only once.
 pub(super) fn language(named: Option<&Path>) -> Option<Language> {
     let path = place(named).filter(|path| path.is_file())?;
     let bytes = read_file(&path, LARGEST_FILE).ok()?;
     Config::language_in(str::from_utf8(&bytes).ok()?)
 }
 
-/// Whether a file is not there, be it that its folder is none.
+/// Returns `true` if the error means that the file does not exist, or that its folder is not a
+/// folder.
 fn is_absent(error: &io::Error) -> bool {
     let kind = error.kind();
     matches!(kind, ErrorKind::NotFound | ErrorKind::NotADirectory)
 }
 
-/// Where the configuration is, if anywhere.
+/// Returns the path of the configuration, if any.
 fn place(named: Option<&Path>) -> Option<PathBuf> {
     let env = places::environment;
-    // What a shell leaves of `--config=~/krank.toml`.
+    // The shell does not expand `~` in `--config=~/krank.toml`.
     let meant = |path: &Path| {
         path.to_str()
             .map_or_else(|| path.to_owned(), |typed| from_home(typed, env))
@@ -40,8 +41,8 @@ fn place(named: Option<&Path>) -> Option<PathBuf> {
     named.map(meant).or_else(|| Config::path(env))
 }
 
-/// What a person has configured, in the file that is named or where it is looked for. That none is there is
-/// no fault, unless it was named.
+/// Loads the configuration from the named file or its default path. A missing file is an error only
+/// if it was named.
 pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     let Some(path) = place(named) else {
         return Ok(Config::default());

@@ -1,4 +1,4 @@
-//! `krank cycle`: what figures do over the whole motion.
+//! `krank cycle`: reports values over the whole motion.
 
 use super::args::{CycleArgs, OutputFormat};
 use super::commands::tell_of_near_misses;
@@ -32,7 +32,8 @@ pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// The columns that the patterns name; the driver's coordinate, too, which tables have anyway.
+/// Returns the columns that the patterns name. Includes the driver's coordinate if named, although
+/// tables contain it anyway.
 fn named_columns(scene: &Scene, patterns: &[String]) -> Result<Vec<Quantity>, Failure> {
     let mut catalogue = Catalogue::new(scene);
     let found = figures(&mut catalogue, patterns)?;

@@ -1,5 +1,5 @@
-//! `krank --diagnose`: what was found of the terminal, and why, so that whoever sees a wrong character or
-//! none can say what their terminal says.
+//! `krank --diagnose`: reports the detected terminal and the reasons, for bug reports about wrong
+//! or missing characters.
 
 use super::args::{LanguageChoice, WorkbenchArgs};
 use super::failure::Failure;
@@ -16,7 +16,7 @@ use std::env;
 use std::io::{IsTerminal, stderr, stdin, stdout};
 use std::path::PathBuf;
 
-/// Prints it; it works in a pipe as well, and without any terminal.
+/// Prints the diagnosis. Works in a pipe and without a terminal.
 pub(super) fn diagnose(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
     let (judgement, options) = (judgement(), options(args, language)?);
     let mut rows = Vec::new();
@@ -91,7 +91,7 @@ fn about(found: &Terminal) -> Vec<DiagnosisRow> {
     ]
 }
 
-/// What the workbench would use, and why.
+/// Returns the settings that the workbench would use, with the reasons.
 fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
     let glyphs = wished(options.glyphs, judgement.glyphs(), glyphs_name);
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
@@ -141,10 +141,10 @@ fn glyphs_name(glyphs: Glyphs) -> &'static str {
     }
 }
 
-/// Where a file of ours would be, and whether there is one.
+/// Returns the path of one of krank's files, with a remark if it does not exist.
 fn place(variable: &str, below_home: &str, file: &str) -> String {
     let set = env::var_os(variable).map(PathBuf::from);
-    // The specification has relative paths ignored.
+    // The XDG specification requires relative paths to be ignored.
     let folder = set.filter(|path| path.is_absolute()).or_else(|| {
         let home = places::environment("HOME").filter(|home| home.is_absolute())?;
         Some(home.join(below_home))

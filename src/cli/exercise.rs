@@ -1,4 +1,4 @@
-//! `krank exercise`: a sheet, a file to answer in and a solution, each from a seed.
+//! `krank exercise`: writes a sheet, a file for the answers and a solution for each seed.
 
 use super::args::{ExerciseArgs, OutputFormat, SceneArgs};
 use super::failure::Failure;
@@ -19,7 +19,7 @@ use std::path::Path;
 
 /// Significant digits of the solution.
 const DIGITS: usize = 6;
-/// What an exercise of standard input is called.
+/// File stem of exercises for a scene on standard input.
 const UNNAMED: &str = "exercise";
 
 /// Writes exercises into a folder, or one sheet to standard output.
@@ -43,7 +43,7 @@ pub(super) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Result<(), Fa
     let format = args.format.unwrap_or_default();
     for seed in seeds.clone() {
         let names = endings(format).map(|ending| format!("{stem}-{seed}{ending}"));
-        // Where there is nothing yet, nothing can be lost.
+        // A check of the contents is needed only if a file exists.
         if names.iter().any(|name| folder.join(name).exists()) {
             made(seed)?.nothing_lost(folder, format, dialect, screen)?;
         }
@@ -59,7 +59,7 @@ pub(super) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Result<(), Fa
     Ok(())
 }
 
-/// The seeds that are asked for.
+/// Returns the requested seeds.
 fn seeds(args: &ExerciseArgs) -> Result<RangeInclusive<u64>, Failure> {
     if args.count > 1 && args.output.is_none() {
         return Err(Failure::Usage(words().folder_for_many().into()));
@@ -69,13 +69,14 @@ fn seeds(args: &ExerciseArgs) -> Result<RangeInclusive<u64>, Failure> {
     Ok(args.seed..=last)
 }
 
-/// What the exercises of a scene are called: the preset, or the file without folder and ending.
+/// Returns the file stem of a scene's exercises: the preset's name, or the file's without folder
+/// and extension.
 fn stem(scene: &Path) -> String {
     let stem = scene.file_stem().filter(|stem| *stem != "-");
     stem.map_or_else(|| UNNAMED.into(), |stem| stem.to_string_lossy().into())
 }
 
-/// The scene and its assembly as they stand on the command line, for a shell.
+/// Formats the scene and its assembly as shell arguments.
 fn as_typed(args: &SceneArgs) -> String {
     let scene = for_shell(&args.scene.to_string_lossy());
     let wishes: Vec<String> = args
@@ -90,7 +91,7 @@ fn as_typed(args: &SceneArgs) -> String {
     }
 }
 
-/// A word as a shell reads it: in quotes where it is more than letters, digits and what stands in paths.
+/// Quotes a word for a shell if it contains anything but letters, digits and characters of paths.
 fn for_shell(word: &str) -> String {
     let is_plain = |c: char| c.is_alphanumeric() || "-_./,=+:@%".contains(c);
     match !word.is_empty() && word.chars().all(is_plain) {
@@ -99,14 +100,15 @@ fn for_shell(word: &str) -> String {
     }
 }
 
-/// A scene at one place, ready to be asked about.
+/// The solved state for the questions of a sheet.
 pub(super) struct AskedState {
     state: Workspace,
     enclosure: Workspace<Ball>,
 }
 
 impl AskedState {
-    /// Solves a scene at a coordinate; where it has no rates there, nothing can be asked for.
+    /// Solves a scene at a coordinate. Returns an error if there are no accelerations, because then
+    /// there are no questions.
     pub(super) fn new(scene: &Scene, solver: &Solver, at: f64) -> Result<AskedState, Failure> {
         let mut state = solver.state();
         let mut enclosure = solver.enclosure();
@@ -121,7 +123,7 @@ impl AskedState {
         Ok(AskedState { state, enclosure })
     }
 
-    /// The scene at this place, of which the given values can be misread.
+    /// Returns the scene at this coordinate, for finding answers that misread its given values.
     pub(super) fn opened<'a>(&self, scene: &'a Scene, solver: &'a Solver) -> SheetScene<'a> {
         SheetScene {
             scene,
@@ -134,13 +136,13 @@ impl AskedState {
         self.state.state()
     }
 
-    /// What is asked for, and these figures beside.
+    /// Returns the answers to all questions and to the quantities in `more`.
     pub(super) fn key(&self, scene: &Scene, solver: &Solver, more: &[String]) -> AnswerKey {
         answer_key(scene, solver, self.state(), self.enclosure.state(), more)
     }
 }
 
-/// An exercise and what is asked in it.
+/// An exercise with its answers.
 struct MadeExercise {
     name: String,
     exercise: Exercise,
@@ -149,7 +151,8 @@ struct MadeExercise {
 }
 
 impl MadeExercise {
-    /// The exercise of a seed; its files begin with the stem, and it is made again from the scene as it was typed.
+    /// Creates the exercise of a seed. `stem` starts the names of its files; `typed` is the scene
+    /// on the command line that recreates it.
     fn new(
         maker: &ExerciseMaker<'_>,
         scene: &Scene,
@@ -184,7 +187,8 @@ impl MadeExercise {
         report::Report::new(scene, solver, self.asked.state(), DIGITS)
     }
 
-    /// Its four files: how the name of each ends, and what it holds. Only the file of answers is ever filled.
+    /// Returns its four files as pairs of name ending and contents. Only the file of answers is to
+    /// be filled in.
     fn files(
         &self,
         format: ReportFormat,
@@ -207,8 +211,8 @@ impl MadeExercise {
         format!("{}.toml", self.name)
     }
 
-    /// Refuses to write over what somebody has written: a file of answers may only be as empty as it was handed out,
-    /// and another file what it would become.
+    /// Returns an error if a file with other contents would be overwritten. An existing file of
+    /// answers may be replaced only if it has no answers.
     fn nothing_lost(
         &self,
         folder: &Path,
@@ -247,12 +251,12 @@ impl MadeExercise {
     }
 }
 
-/// How the file of answers ends.
+/// Ending of the file of answers.
 const ANSWERS: &str = ".csv";
-/// A file that is larger than this is no report of ours.
+/// Maximum size of a report written by krank, in bytes.
 const LARGEST_REPORT: usize = 16 * LARGEST_FILE;
 
-/// How the names of the four files end: the scene, the answers, the sheet and the solution.
+/// Returns the endings of the four files: scene, answers, sheet and solution.
 fn endings(format: ReportFormat) -> [String; 4] {
     let ending = format.ending();
     [

@@ -1,4 +1,4 @@
-//! `krank explain`: the working of one state.
+//! `krank explain`: writes the solution of one state step by step.
 
 use super::args::{ExplainArgs, TextFormat};
 use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
@@ -12,10 +12,11 @@ use crate::report::{WorkedMethod, Working};
 use crate::solver::{Condition, Order};
 use crate::wording::words;
 
-/// The errors below the tables of iterations.
+/// Size of the chart of errors below the tables of iterations, in columns and rows.
 const CHART: (u16, u16) = (80, 16);
 
-/// Writes the working; where there is no assembly, what can still be said, and why there is none.
+/// Writes the solution. Without an assembly, writes its possible part and returns the reason as an
+/// error.
 pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let at = place(&args.place, &scene, &solver, screen);

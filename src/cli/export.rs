@@ -1,4 +1,4 @@
-//! `krank export`: a script that works the positions of a scene out by itself.
+//! `krank export`: writes a script that solves the positions of a scene on its own.
 
 use super::args::ExportArgs;
 use super::commands::tell_of_near_misses;
@@ -15,7 +15,7 @@ pub(super) fn export(args: &ExportArgs, screen: TextScreen) -> Result<(), Failur
     write_text(args.output.output.as_deref(), &text)
 }
 
-/// What MATLAB calls it by: its file, or the scene's.
+/// Returns the script's name in MATLAB, from its file or from the scene's.
 fn called(args: &ExportArgs) -> String {
     let file = file(args.output.output.as_deref()).unwrap_or(&args.scene.scene);
     let stem = file.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,4 +1,4 @@
-//! How a command fails, and the exit code that says so.
+//! Errors of commands, with their exit codes.
 
 use super::screen::TextScreen;
 use crate::scene::{Diagnostics, sanitized};
@@ -7,24 +7,24 @@ use std::io::{self, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-/// Why a command did not do what was asked.
+/// The reason why a command failed.
 #[derive(Debug)]
 pub(super) enum Failure {
-    /// The command line is wrong.
+    /// The command line is invalid.
     Usage(String),
-    /// The scene is wrong.
+    /// The scene is invalid.
     Scene(Diagnostics),
-    /// What was asked cannot be done, by the mechanism or by the terminal.
+    /// The mechanism or the terminal makes the request impossible.
     Cannot(String),
-    /// The results cannot be written; `None` is standard output.
+    /// The results cannot be written to this file; `None` is standard output.
     Output(Option<PathBuf>, io::Error),
-    /// Whoever read the results has enough of them.
+    /// The reader of the results closed the pipe.
     PipeClosed,
 }
 
 impl Failure {
-    /// 1: it cannot be done, or the output cannot be written; 2: the command line or the scene is
-    /// wrong. A reader that closes the pipe is no failure.
+    /// Returns the exit code: 1 if the request is impossible or the output cannot be written, 2 if
+    /// the command line or the scene is invalid. A closed pipe is a success.
     pub(super) fn code(&self) -> ExitCode {
         match self {
             Failure::PipeClosed => ExitCode::SUCCESS,
@@ -33,7 +33,7 @@ impl Failure {
         }
     }
 
-    /// Says it on standard error.
+    /// Prints the error on standard error.
     pub(super) fn tell(&self, screen: TextScreen) {
         let text = match self {
             Failure::PipeClosed => return,
@@ -52,13 +52,13 @@ fn error(message: &str, screen: TextScreen) -> String {
     words().error(&sanitized(message, screen.ascii)) + "\n"
 }
 
-/// A note on standard error: something the reader of the results should know.
+/// Prints a note for the reader of the results on standard error.
 pub(super) fn note(message: &str, screen: TextScreen) {
     say(&(words().note(&sanitized(message, screen.ascii)) + "\n"));
 }
 
-/// Text for standard error.
+/// Prints a text on standard error.
 pub(super) fn say(text: &str) {
-    // Where nobody listens to errors there is nobody to tell it.
+    // An error of standard error cannot be reported anywhere.
     let _ = io::stderr().write_all(text.as_bytes());
 }

@@ -1,4 +1,4 @@
-//! `krank grade`: what became of the answers of one student, or of a class.
+//! `krank grade`: grades the answers of one student or of a class.
 
 use super::args::{GradeArgs, GradeFormat, OutputFormat};
 use super::commands::place;
@@ -14,7 +14,7 @@ use crate::scene::LARGEST_FILE;
 use crate::wording::words;
 use std::path::{Path, PathBuf, is_separator};
 
-/// Grades every file; one that cannot be graded is told, and the others are graded all the same.
+/// Grades every file. A file that cannot be graded is reported, and the others are still graded.
 pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(match args.format {
         GradeFormat::Text => OutputFormat::Text,
@@ -66,16 +66,16 @@ pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// Grades files, and keeps the sheets that they name.
+/// Grades files, with a cache of their sheets.
 struct Grader<'a> {
     args: &'a GradeArgs,
     screen: TextScreen,
     sheets: Vec<OpenSheet>,
-    /// The sheets of a folder that files name, whether they can be opened or not.
+    /// The sheets in a folder that the files name, valid or not.
     named: Vec<PathBuf>,
 }
 
-/// A sheet that was opened.
+/// An opened sheet.
 struct OpenSheet {
     path: PathBuf,
     scene: SolvableScene,
@@ -83,7 +83,7 @@ struct OpenSheet {
 }
 
 impl Grader<'_> {
-    /// The sheet of a file, opened once.
+    /// Returns the sheet of a path, opened only once.
     fn sheet(&mut self, path: &Path) -> Result<&OpenSheet, Failure> {
         let place_of = |sheets: &[OpenSheet]| sheets.iter().position(|s| s.path == path);
         let known = match place_of(&self.sheets) {
@@ -104,7 +104,7 @@ impl Grader<'_> {
         Ok(&self.sheets[known])
     }
 
-    /// One file, graded by the sheet that was named, or by the one of the folder that it names itself.
+    /// Grades one file by the given sheet, or by the sheet in the given folder that the file names.
     fn graded(&mut self, path: &Path) -> Result<GradedAnswers, Failure> {
         let shown = path.display().to_string();
         let file = answers(path, &shown)?;
@@ -141,7 +141,7 @@ impl Grader<'_> {
     }
 }
 
-/// The answers in a file.
+/// Reads a file of answers.
 fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
     let bytes = read_ready(path, LARGEST_FILE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
@@ -156,8 +156,8 @@ fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
     })
 }
 
-/// The scene in a folder that a file of answers names, or that bears the file's own name. A student's file names none
-/// outside the folder.
+/// Returns the scene in a folder that a file of answers names, or whose name equals the file's. A
+/// name that leads outside the folder is an error.
 fn named_sheet(folder: &Path, path: &Path, file: &AnswerFile) -> Result<PathBuf, Failure> {
     let own = || {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();

@@ -1,4 +1,4 @@
-//! `krank help`: the topics of the manual, and the help of the commands.
+//! `krank help`: shows the manual's topics and the help of commands.
 
 use super::args::{Cli, HelpArgs, HelpFormat};
 use super::failure::Failure;
@@ -14,10 +14,10 @@ use crate::wording::words;
 use clap::{Command, CommandFactory};
 use std::path::Path;
 
-/// Columns where nobody tells how many there are.
+/// Width in columns if the terminal reports none.
 const USUAL_WIDTH: usize = 80;
 
-/// Shows a topic or the help of a command, or lists both; or writes the manual as a web site.
+/// Shows a topic or a command's help, lists both, or writes the manual as a web site.
 pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
     match (args.format, &args.output, &args.topic) {
         (HelpFormat::Text, None, _) => show(args),
@@ -28,7 +28,7 @@ pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
     }
 }
 
-/// Writes the files of the web site, and creates their folder if it is missing.
+/// Writes the files of the web site and creates their folder if necessary.
 fn write_site(folder: &Path) -> Result<(), Failure> {
     let unwritable = |e| Failure::Output(Some(folder.to_owned()), e);
     std::fs::create_dir_all(folder).map_err(unwritable)?;
@@ -54,7 +54,7 @@ fn show(args: &HelpArgs) -> Result<(), Failure> {
     }
 }
 
-/// The text as wide as the terminal; there its headings are bold.
+/// Wraps a text to the terminal's width, with bold headings if it has colours.
 fn laid_out(text: &str, screen: TextScreen) -> String {
     let lines = manual::lines(text, width()).into_iter();
     let shown = lines.map(|line| match line.kind {
@@ -68,7 +68,7 @@ fn width() -> usize {
     size().map_or(USUAL_WIDTH, |(columns, _)| columns.into())
 }
 
-/// Topics and commands.
+/// Returns the list of topics and commands.
 fn contents() -> String {
     let rows = |rows: Vec<(&str, String)>| -> String {
         let rows = rows.into_iter();
@@ -101,7 +101,7 @@ pub(super) fn about(command: &Command) -> String {
         .unwrap_or_default()
 }
 
-/// The help of a command, as its `--help` has it; for another word, where it occurs.
+/// Returns a command's help as its `--help` shows it, or the places where another word occurs.
 fn of_word(word: &str, screen: TextScreen) -> Result<String, Failure> {
     let mut krank = Cli::command();
     krank.build();
@@ -125,7 +125,7 @@ fn unknown(word: &str, near: Option<&str>, topics: &str) -> Failure {
     })
 }
 
-/// Without the workbench there are no keys.
+/// Returns no rows: without the workbench there are no keys.
 #[cfg(not(feature = "tui"))]
 fn key_rows() -> String {
     String::new()

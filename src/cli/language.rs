@@ -1,5 +1,5 @@
-//! Which language the program speaks. It must be known before anything is said: the help that is built from the
-//! command line's own description is said too, so that the option is looked for before that is read.
+//! Selects the language of the program. It must be known before the command line is parsed, because
+//! the parser's help texts depend on it.
 
 use super::args::{Cli, LanguageChoice};
 use crate::wording::Language;
@@ -7,8 +7,8 @@ use clap::{Command, CommandFactory, ValueEnum};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
-/// Speaks the language that is asked for, configured, or that of the locale. The arguments come back with the
-/// option behind the command, where every one takes it.
+/// Selects the requested language, the configured one, or that of the locale. Returns the arguments
+/// with the language option moved to the command, where every command accepts it.
 pub(super) fn settle(arguments: Vec<OsString>) -> Vec<OsString> {
     let configured = configured(value_of(&arguments, "--config").map(PathBuf::from));
     let asked = value_of(&arguments, OPTION);
@@ -31,17 +31,17 @@ fn configured(named: Option<PathBuf>) -> Option<Language> {
     super::config::language(named.as_deref())
 }
 
-/// The workbench alone has a configuration.
+/// Returns `None`: only the workbench has a configuration.
 #[cfg(not(feature = "tui"))]
 fn configured(_: Option<PathBuf>) -> Option<Language> {
     None
 }
 
 const OPTION: &str = "--language";
-/// Behind this everything is a name.
+/// The separator after which every argument is a name.
 const NAMES: &str = "--";
 
-/// What is given to an option that has a value, as `--option value` or `--option=value`.
+/// Returns the value of an option, given as `--option value` or `--option=value`.
 fn value_of(arguments: &[OsString], option: &str) -> Option<OsString> {
     let mut rest = arguments.iter().take_while(|it| *it != NAMES);
     while let Some(argument) = rest.next() {
@@ -59,9 +59,10 @@ fn value_within<'a>(argument: &'a OsStr, option: &str) -> Option<&'a str> {
     argument.to_str()?.strip_prefix(option)?.strip_prefix('=')
 }
 
-/// The arguments with each `--language`, and what it is given, behind the others: before a command the option would
-/// make a scene of its name. Where an option comes last it would be taken for what that is given: it stands behind
-/// the command then, or where there is none behind a first word, which is a scene, or in front.
+/// Moves each `--language` option with its value after all other arguments. In front of a command,
+/// the option would make clap take the command for a scene. If the last argument is an option,
+/// which could take `--language` for its value, the options go after the command instead. Without a
+/// command, they go after a scene in first place, or else in front.
 fn with_language_moved(
     arguments: Vec<OsString>,
     is_command: impl Fn(&OsStr) -> bool,
@@ -93,7 +94,7 @@ fn with_language_moved(
     others
 }
 
-/// Behind the first word that is a command, or a first word, or in front.
+/// Returns the index after the first command, or after a word at the start, or else in front.
 fn place_of_command(arguments: &[OsString], is_command: impl Fn(&OsStr) -> bool) -> usize {
     let mut words = arguments.iter().skip(1);
     let begins_with_word = words.clone().next().is_some_and(|first| !is_option(first));

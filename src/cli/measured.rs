@@ -1,4 +1,4 @@
-//! Measurements in a file, beside what krank has.
+//! Compares measurements in a file with computed values.
 
 use super::args::SweepArgs;
 use super::failure::{Failure, note};
@@ -12,7 +12,7 @@ use crate::report::{Measured, RowFormat};
 use crate::wording::words;
 use std::path::Path;
 
-/// The measurements of these figures, or of all that the file has.
+/// Reads the measurements of these quantities, or of all in the file.
 pub(super) fn measured(
     file: &Path,
     output: Option<&Path>,
@@ -26,7 +26,7 @@ pub(super) fn measured(
     found.ok_or_else(|| Failure::Usage(words().no_measurements(&shown)))
 }
 
-/// `krank sweep --measured`: a row for each of the file.
+/// Runs `krank sweep --measured`: writes a row for each row of the file.
 pub(super) fn beside(
     file: &Path,
     args: &SweepArgs,

@@ -1,4 +1,4 @@
-//! What was probably meant by a command line that cannot be read.
+//! Explains an invalid command line by its probable meaning.
 
 use super::args::Cli;
 use super::source::meant_command;
@@ -7,18 +7,19 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Error};
 use std::ffi::OsString;
 
-/// Clap's error as it is to be told, in place of its own text where that would lead astray.
-/// `arguments` are those of the program, its own name first.
+/// Returns a message instead of clap's error if clap's own text would be misleading. `arguments`
+/// are those of the program, its own name first.
 pub(super) fn explained(mut error: Error, arguments: &[OsString]) -> Result<String, Error> {
     if let Some(message) = second_word(&error, arguments) {
         return Ok(message);
     }
-    // "to pass '--at' as a value, use '-- --at'": nobody has a scene of that name.
+    // Removes "to pass '--at' as a value, use '-- --at'": such a scene name is improbable.
     error.remove(ContextKind::Suggested);
     Err(error)
 }
 
-/// A word behind the first that is read as a scene: the first was meant as a command, or the second.
+/// Explains a second positional word, which clap takes for a subcommand after a scene: the first
+/// word was meant as a command, or the second was.
 fn second_word(error: &Error, arguments: &[OsString]) -> Option<String> {
     if error.kind() != ErrorKind::ArgumentConflict {
         return None;

@@ -1,4 +1,4 @@
-//! The command line: reads it, runs it, and says what went wrong.
+//! The command line: parses and runs it, and reports errors.
 
 mod accuracy;
 mod args;
@@ -60,8 +60,8 @@ use std::process::ExitCode;
 /// Runs the program with these arguments, its own name first. Results go to standard output,
 /// messages to standard error.
 ///
-/// The exit code is 0 where it was done, 1 where the mechanism cannot do what was asked or the
-/// results cannot be written, 2 where the command line or the scene is wrong.
+/// The exit code is 0 on success, 1 if the mechanism makes the request impossible or the results
+/// cannot be written, and 2 if the command line or the scene is invalid.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments = language::settle(arguments.into_iter().collect());
     let screen = TextScreen::detect();
@@ -82,14 +82,14 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     }
 }
 
-/// A kill while a file was written in its place has left half of each text there.
+/// Completes in-place writes that an earlier process did not finish because it was killed.
 fn complete_what_was_cut_off(screen: TextScreen) {
     for file in output::records().iter().flat_map(|folder| mend(folder)) {
         failure::note(&words().file_was_mended(&file.display()), screen);
     }
 }
 
-/// Help and version are asked for and go to standard output; everything else is an error.
+/// Prints help and version on standard output, and parser errors on standard error.
 fn refuse(error: &clap::Error, arguments: &[OsString], screen: TextScreen) -> ExitCode {
     let mut text = words().of_parser(&error.render().to_string());
     // The parser stops at `--version` and does not report later options.
@@ -109,7 +109,7 @@ fn refuse(error: &clap::Error, arguments: &[OsString], screen: TextScreen) -> Ex
     }
 }
 
-/// An error quotes what was typed, or pasted.
+/// Sanitizes an error message, which may quote typed or pasted text.
 fn lines_made_harmless(text: &str, screen: TextScreen) -> String {
     let lines = text
         .lines()

@@ -1,4 +1,4 @@
-//! `krank motor`: what a scene asks of its motor over one cycle.
+//! `krank motor`: computes the motor's duty over one cycle of a scene.
 
 use super::args::{MotorArgs, OutputFormat};
 use super::commands::tell_of_near_misses;
@@ -60,7 +60,7 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// The same over the period of a motion over time.
+/// Computes the duty over the period of a motion over time.
 fn timed(
     args: &MotorArgs,
     (scene, solver): (&Scene, &Solver),
@@ -89,7 +89,7 @@ fn timed(
     }
 }
 
-/// What only a cycle at one speed has.
+/// Returns an error for options that apply only to a cycle at constant speed.
 fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
     let asked = [
         ("--flywheel", args.flywheel.is_some()),
@@ -106,7 +106,7 @@ fn no_steady_cycle(args: &MotorArgs) -> Result<(), Failure> {
     }
 }
 
-/// What the scene says of its motor, where no option says otherwise.
+/// Returns the scene's motor data, overridden by the options.
 fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
     let known = scene.motor.unwrap_or_default();
     let wrong = |why: &dyn Display| Failure::Usage(words().of_option("--speed", why));
@@ -129,7 +129,8 @@ fn given(args: &MotorArgs, scene: &Scene) -> Result<Motor, Failure> {
     refused(&motor).map_or(Ok(motor), |why| Err(Failure::Usage(why)))
 }
 
-/// What the numbers must be to each other, as in the scene's [motor].
+/// Returns an error message if the values contradict each other, with the rules of the scene's
+/// [motor].
 fn refused(motor: &Motor) -> Option<String> {
     if let (Some(rated), Some(peak)) = (motor.rated, motor.peak)
         && peak < rated
@@ -143,7 +144,7 @@ fn refused(motor: &Motor) -> Option<String> {
     })
 }
 
-/// The slide that is meant.
+/// Returns the slide with this name.
 fn ram(scene: &Scene, name: &str) -> Result<SlideId, Failure> {
     let mechanism = &scene.mechanism;
     let mut all = mechanism.slide_ids();
@@ -164,7 +165,7 @@ fn ram(scene: &Scene, name: &str) -> Result<SlideId, Failure> {
     }
 }
 
-/// The part of the motion that is gone through there and back.
+/// Returns the part of the motion through which the driver oscillates.
 fn between(
     args: &MotorArgs,
     scene: &Scene,
@@ -173,7 +174,7 @@ fn between(
     let (Some(from), Some(to)) = (args.from, args.to) else {
         return Ok(None);
     };
-    // Of a driver that turns, from 300 to 60 deg is the way over the full turn.
+    // For a turning driver, from 300 to 60 deg means the arc over the full turn.
     let range = solver.motion().range;
     let to = match range {
         Range::Full { .. } if to < from => {
@@ -202,7 +203,7 @@ fn between(
     }
 }
 
-/// Who asked about a ram should know why nothing is said of one.
+/// Notes why there are no results on a ram, if the options request them.
 fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
     let asked = args.ram.is_some() || args.height.is_some() || args.torque.is_some();
     if let (true, Err(why)) = (asked || args.rest.is_some(), &report.ram) {
@@ -210,7 +211,7 @@ fn tell_of_no_ram(args: &MotorArgs, report: &MotorReport, screen: TextScreen) {
     }
 }
 
-/// A study whose integrals cannot be believed has failed, though its figures are there to be looked at.
+/// Returns an error if the integrals have not converged. The results are still written.
 fn judge(duty: &Duty) -> Result<(), Failure> {
     if duty.cycle.has_converged() {
         return Ok(());

@@ -1,8 +1,8 @@
-//! In place of the line that tells how far a command has come, where krank knows no terminal.
+//! A stub of the progress line for builds without terminal support.
 
 use super::screen::TextScreen;
 
-/// How far a command has come: told to nobody.
+/// The progress of a command, which is never shown.
 pub(super) struct Progress;
 
 impl Progress {

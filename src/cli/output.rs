@@ -1,4 +1,4 @@
-//! Where results go: standard output or a file.
+//! Writes results to standard output or to a file.
 
 use super::failure::Failure;
 use crate::files::{Output, places};
@@ -6,23 +6,23 @@ use crate::scene::sanitized;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
 use std::path::{Path, PathBuf};
 
-/// Bytes gathered before they are handed to the system.
+/// Size of the output buffer, in bytes.
 const BUFFER: usize = 1 << 16;
 
-/// The file that is meant; `None` is standard output.
+/// Returns the file that a path means; `None` for standard output.
 pub(super) fn file(path: Option<&Path>) -> Option<&Path> {
     path.filter(|path| *path != Path::new("-"))
 }
 
-/// Whether what is written there is seen as it comes.
+/// Returns `true` if the output goes directly to a terminal.
 pub(super) fn goes_to_terminal(path: Option<&Path>) -> bool {
     file(path).is_none() && stdout().is_terminal()
 }
 
-/// Runs `write` on the file, or on standard output where none is named.
+/// Runs `write` on the file, or on standard output if there is none.
 ///
-/// A file is made, or replaced, once all was written: whatever ends the command before that leaves an older
-/// one as it was.
+/// A file is created or replaced only after the complete output was written. If the command ends
+/// earlier, an existing file is unchanged.
 pub(super) fn write_to<T>(
     path: Option<&Path>,
     write: impl FnOnce(&mut dyn Write) -> io::Result<T>,
@@ -36,12 +36,12 @@ pub(super) fn write_to<T>(
     }
 }
 
-/// The same for a text that is ready.
+/// Writes a text to the file, or to standard output if there is none.
 pub(super) fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     write_to(path, |out| out.write_all(text.as_bytes()))
 }
 
-/// The same for the text of a scene, which a terminal is shown without what could act on it.
+/// Writes the text of a scene. On a terminal, it is sanitized.
 pub(super) fn write_scene(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     match goes_to_terminal(path) {
         true => write_text(None, &shown(text)),
@@ -49,7 +49,7 @@ pub(super) fn write_scene(path: Option<&Path>, text: &str) -> Result<(), Failure
     }
 }
 
-/// Where old and new text are kept while a file is written in its place.
+/// Returns the folder that holds the old and new text while a file is written in place.
 pub(super) fn records() -> Option<PathBuf> {
     places::records(places::environment)
 }
@@ -62,7 +62,7 @@ fn to_file<T>(path: &Path, write: impl FnOnce(&mut dyn Write) -> io::Result<T>) 
     Ok(outcome)
 }
 
-/// A text of somebody else's for the eyes of a reader: what could act on a terminal is replaced.
+/// Sanitizes a foreign text: replaces everything that could affect a terminal.
 fn shown(text: &str) -> String {
     let lines = text.split('\n').map(|line| sanitized(line, false));
     lines.collect::<Vec<_>>().join("\n")
@@ -75,7 +75,7 @@ fn through<T>(
     let mut buffered = BufWriter::with_capacity(BUFFER, to);
     let outcome = write(&mut buffered);
     if outcome.is_err() {
-        // What is left must not be tried once more when the buffer is dropped.
+        // Dropping the buffer would try to write the rest again.
         let _ = buffered.into_parts();
         return outcome;
     }

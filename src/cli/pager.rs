@@ -1,23 +1,23 @@
-//! A long text, a screen at a time.
+//! Shows a long text in a pager.
 
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::TextScreen;
 
-/// Shows a text in the person's pager; where nobody reads, or no pager is there, it is written as it is.
+/// Shows a text in the user's pager. Without a terminal or a pager, writes it to standard output.
 pub(super) fn show(text: &str, screen: TextScreen) -> Result<(), Failure> {
     if screen.redraws {
-        // Whatever keeps a pager from it, the text is still to be seen.
+        // If the pager fails, the text is still written.
         let _ = become_pager(text);
     }
     write_text(None, text)
 }
 
-/// The shell that POSIX systems have here.
+/// The standard path of the shell on POSIX systems.
 #[cfg(unix)]
 const SHELL: &str = "/bin/sh";
-/// Starts one pager after the other until one is there; without any the shell itself writes the text. Ctrl-C is the
-/// pager's affair: no shell may end before it, and leave it with a terminal that somebody else reads.
+/// Tries each pager until one exists, or else writes the text in the shell. Ctrl-C is left to the
+/// pager: the shells must not end before it and leave it with a terminal that another program reads.
 #[cfg(unix)]
 const SCRIPT: &str = r#"
 trap : INT
@@ -28,11 +28,12 @@ $pager"
 done
 while IFS= read -r line; do printf '%s\n' "$line"; done
 "#;
-/// What shows a text where nobody has chosen.
+/// The pager if the user has chosen none.
 #[cfg(unix)]
 const USUAL: &str = "if command -v less >/dev/null; then less; else more; fi";
 
-/// krank becomes a shell that shows the text in a pager; comes back where none is wished, or there is no shell.
+/// Replaces the process by a shell that shows the text in a pager. Returns if the user wants no
+/// pager or if there is no shell.
 #[cfg(unix)]
 fn become_pager(text: &str) -> std::io::Result<()> {
     use std::os::unix::process::CommandExt;
@@ -51,14 +52,14 @@ fn become_pager(_: &str) -> std::io::Result<()> {
     Ok(())
 }
 
-/// An empty `PAGER` asks for none.
+/// Returns `true` for an empty `PAGER`, which means no pager.
 #[cfg(unix)]
 fn is_blank(pager: &std::ffi::OsStr) -> bool {
     pager.to_string_lossy().trim().is_empty()
 }
 
-/// Bold is bold, whatever else a person has chosen; without a choice what fits the screen is not paged and stays
-/// there.
+/// Returns the options for `less`: `-R` shows bold text, in addition to the user's options. Without
+/// the user's options, text that fits the screen is not paged and stays there.
 #[cfg(unix)]
 fn options_of_less(chosen: Option<std::ffi::OsString>) -> std::ffi::OsString {
     let Some(chosen) = chosen else {
@@ -69,12 +70,12 @@ fn options_of_less(chosen: Option<std::ffi::OsString>) -> std::ffi::OsString {
     options
 }
 
-/// Names that are tried for the file: one may be left of a process of the same number.
+/// Maximum number of file names to try: a process with the same number may have left one.
 #[cfg(unix)]
 const NAMES: u32 = 100;
 
-/// The text in a file of this folder that has no name any more, read from its beginning: a pipe would hold only so
-/// much of it before somebody reads.
+/// Returns the text in an unlinked temporary file, positioned at its start. A pipe would have a
+/// limited capacity without a reader.
 #[cfg(unix)]
 fn unnamed(folder: &std::path::Path, text: &str) -> std::io::Result<std::fs::File> {
     use std::io::{Error, ErrorKind, Seek, Write};

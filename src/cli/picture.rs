@@ -1,4 +1,4 @@
-//! What pictures on standard output or in a file have in common: their characters and their size.
+//! Common properties of drawings and plots in characters: glyphs and size.
 
 use super::args::{GlyphChoice, Size};
 use super::output::goes_to_terminal;
@@ -7,19 +7,19 @@ use crate::document::with_ascii_letters;
 use crate::drawing;
 use std::path::Path;
 
-/// Where nothing tells the size.
+/// Size if the terminal reports none.
 pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
 
-/// The height of a character for its width, in most fonts.
+/// Height of a character divided by its width, in most fonts.
 pub(super) const ASPECT: f64 = 2.0;
 
-/// The characters that were asked for, or that the locale and the terminal allow.
+/// Returns the requested glyphs, or those that the locale and the terminal support.
 pub(super) fn glyphs(wish: GlyphChoice) -> drawing::Glyphs {
     wish.asked()
         .unwrap_or_else(|| screen::judgement().glyphs().value)
 }
 
-/// A picture's text with our own words in letters that go with its characters.
+/// Converts letters in a drawing's text to ASCII if its glyphs are ASCII.
 pub(super) fn lettered(text: String, glyphs: drawing::Glyphs) -> String {
     match glyphs.is_dotted() {
         true => text,
@@ -27,7 +27,7 @@ pub(super) fn lettered(text: String, glyphs: drawing::Glyphs) -> String {
     }
 }
 
-/// As asked, or as large as the terminal that it goes to, the prompt's line left free.
+/// Returns the requested size, or the terminal's size without a line for the prompt.
 pub(super) fn size(wish: Option<Size>, output: Option<&Path>) -> Size {
     let terminal = || {
         let (cols, rows) = screen::size().filter(|_| goes_to_terminal(output))?;

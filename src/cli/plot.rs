@@ -1,4 +1,4 @@
-//! `krank plot`: which figures, over what, and how they are drawn.
+//! `krank plot`: plots values over the driver coordinate, time or another value.
 
 use super::args::{BandChoice, PictureFormat, PlotArgs, Size};
 use super::commands::tell_of_near_misses;
@@ -18,7 +18,7 @@ use crate::solver::{Condition, Range, Solver};
 use crate::study::ToleranceStudy;
 use crate::wording::words;
 
-/// An SVG where no size was asked for, and the size of a character in its units.
+/// Default size of an SVG in characters, and the size of a character in its units.
 pub(super) const SVG: Size = Size {
     cols: 100,
     rows: 40,
@@ -78,7 +78,7 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     }
 }
 
-/// Draws how far the figures may be off by the scene's tolerances.
+/// Draws the deviation of the values permitted by the scene's tolerances as a band.
 fn add_band(
     plot: &mut Plot,
     curves: &Curves,
@@ -100,7 +100,7 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
     let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
     let look = PlotStyle {
         cols,
-        // Every panel has its place: paper has no end.
+        // Every panel gets its minimum height, because the length of paper is unlimited.
         rows: rows
             .max(plot.least_rows())
             .min(if args.size.is_some() { rows } else { u16::MAX }),
@@ -123,7 +123,7 @@ fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Fail
     ))
 }
 
-/// What stands along x.
+/// Parses the quantity on the x axis.
 fn abscissa(catalogue: &mut Catalogue, name: &str) -> Result<Abscissa, Failure> {
     let name = name.trim();
     if name == "driver" || name == catalogue.driver().name {
@@ -139,7 +139,7 @@ fn abscissa(catalogue: &mut Catalogue, name: &str) -> Result<Abscissa, Failure> 
     }
 }
 
-/// The part of the motion that was asked for; `None` for all of it.
+/// Returns the requested part of the motion; `None` for all of it.
 fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> {
     if args.from.is_none() && args.to.is_none() {
         return Ok(None);
@@ -152,7 +152,7 @@ fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> 
     Ok(Some((from, to)))
 }
 
-/// Says what has no values; a plot without any has failed.
+/// Reports values that do not exist. A plot without any values is an error.
 fn judge(curves: &Curves, range: &str, screen: TextScreen) -> Result<(), Failure> {
     let all = curves.conditions.len();
     let outside = |c: &&Condition| **c == Condition::NoAssembly;

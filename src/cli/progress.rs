@@ -1,9 +1,9 @@
-//! A line on standard error that tells how far a long command has come.
+//! Shows a long command's progress on a line of standard error.
 //!
-//! It is calm: it appears only when there is something to wait for, changes a few times a second, and
-//! is gone at the end, also where a signal ends the program. It is not shown where it would stand
-//! between results or in another program's way: without a terminal, where the results go to a
-//! terminal themselves, on a terminal whose cursor does not go back, and in the background.
+//! The line appears only after a delay, changes a few times per second, and disappears at the end,
+//! even if a signal ends the program. It is not shown where it would disturb results or other
+//! programs: without a terminal, if the results go to a terminal, on a terminal that cannot move
+//! its cursor back, and in the background.
 
 use super::failure::say;
 use super::screen::TextScreen;
@@ -22,43 +22,44 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What is done sooner needs no line.
+/// Minimum duration of a command before the line appears.
 const DELAY: Duration = Duration::from_millis(500);
-/// Between two changes of the line.
+/// Time between two updates of the line.
 const PAUSE: Duration = Duration::from_millis(100);
-/// Of a terminal that does not tell.
+/// Width in columns if the terminal reports none.
 const WIDTH: usize = 80;
-/// A longer bar tells no more.
+/// Maximum length of the bar; more would add no information.
 const LONGEST_BAR: usize = 40;
-/// Columns that stay free at the end of the line: for `^C`, which the terminal puts there itself, and
-/// the last one, behind which the line would wrap.
+/// Free columns at the end of the line: two for `^C`, which the terminal echoes there, and the last
+/// column, after which the line would wrap.
 const FREE: usize = 3;
-/// Back to the first column, and clear the line.
+/// Returns to the first column and clears the line.
 const CLEAR: &str = "\r\x1b[K";
 
-/// How far a command has come, for whoever waits for it.
+/// The progress of a command.
 pub(super) struct Progress {
     total: u64,
-    /// What is counted: `rows`.
+    /// The counted items: `rows`.
     unit: &'static str,
     screen: TextScreen,
-    /// `None` where nobody would see it.
+    /// `None` if the line is not shown.
     line: Option<Arc<Mutex<ProgressLine>>>,
     begin: Instant,
-    /// When the line is looked at again.
+    /// The time of the next update.
     next: Duration,
-    /// The best result so far, as it is shown; empty where there is none.
+    /// The best result so far, as text; empty if there is none.
     best: String,
-    /// Set by the first Ctrl-C, of a command that then tells what it has; others end.
+    /// Set by the first Ctrl-C if the command then reports its results. Other commands end.
     stop: Option<Arc<AtomicBool>>,
 }
 
-/// What stands on the terminal; empty before the first time and at the end.
+/// The text on the terminal; empty before the first update and after clearing.
 #[derive(Default)]
 struct ProgressLine(String);
 
 impl Progress {
-    /// Nothing done of `total`. With `beside`, results go to the terminal as well: no line then.
+    /// Creates the progress of a command with `total` items. If `beside` is `true`, the results
+    /// go to the terminal, and the line is not shown.
     pub(super) fn new(
         total: u64,
         unit: &'static str,
@@ -78,7 +79,8 @@ impl Progress {
         }
     }
 
-    /// Makes the first Ctrl-C stop the search, so that the command can tell what it has found; a second one ends it.
+    /// Makes the first Ctrl-C stop the search, so that the command can report its results; a second
+    /// one ends the program.
     pub(super) fn stoppable(self) -> Progress {
         Progress {
             stop: stop_flag().ok().flatten(),
@@ -86,19 +88,19 @@ impl Progress {
         }
     }
 
-    /// Shows the best result so far behind what is done.
+    /// Shows the best result so far after the progress.
     pub(super) fn show_best(&mut self, best: String) {
         self.best = best;
     }
 
-    /// Whether it is to come to its end now.
+    /// Returns `true` if the search should stop.
     pub(super) fn is_stopped(&self) -> bool {
         self.stop
             .as_ref()
             .is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// So much is done. Costs next to nothing most of the time.
+    /// Reports the number of completed items. Mostly very cheap.
     pub(super) fn tell(&mut self, done: u64) {
         let Some(line) = &self.line else { return };
         let elapsed = self.begin.elapsed();
@@ -111,7 +113,7 @@ impl Progress {
             return;
         }
         if first && watch_for_signals(Arc::clone(line), self.stop.clone()).is_err() {
-            // A line that would be left behind is worse than none.
+            // A line that a signal would leave behind is worse than none.
             self.line = None;
             return;
         }
@@ -126,7 +128,7 @@ impl Progress {
         hold(line).show(self.screen.shown(&text));
     }
 
-    /// Clears the line: it is done, one way or the other. From now on Ctrl-C ends the program again.
+    /// Clears the line at the end of the work. From then on Ctrl-C ends the program again.
     pub(super) fn end(self) {
         self.clear();
         if let Some(stop) = &self.stop {
@@ -134,7 +136,7 @@ impl Progress {
         }
     }
 
-    /// Clears the line until there is more to tell.
+    /// Clears the line until the next update.
     pub(super) fn clear(&self) {
         if let Some(line) = &self.line {
             hold(line).clear();
@@ -157,25 +159,25 @@ impl ProgressLine {
     }
 }
 
-/// Nobody panics with the line in hand; if one did, the line would still be as good.
+/// Locks the line. Its state is valid even if a panic poisoned the lock.
 fn hold(line: &Mutex<ProgressLine>) -> MutexGuard<'_, ProgressLine> {
     line.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Returns a flag that the first Ctrl-C sets; the second one ends the program. `None` where Ctrl-C is ignored, as it is
-/// in a job that a script has put into the background.
+/// Returns a flag set by the first Ctrl-C; the second one ends the program. `None` if Ctrl-C is
+/// ignored, as in a script's background job.
 fn stop_flag() -> io::Result<Option<Arc<AtomicBool>>> {
     if is_ignored(SIGINT) {
         return Ok(None);
     }
     let stop = Arc::new(AtomicBool::new(false));
-    // In this order: the signal that sets the flag does not end the program.
+    // In this order, the signal that sets the flag does not end the program.
     flag::register_conditional_default(SIGINT, Arc::clone(&stop))?;
     flag::register(SIGINT, Arc::clone(&stop))?;
     Ok(Some(stop))
 }
 
-/// Returns `true` if whoever started the program has made it ignore a signal; false where the system does not tell.
+/// Returns `true` if the parent process made the program ignore a signal; `false` if unknown.
 fn is_ignored(signal: i32) -> bool {
     let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
     let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
@@ -183,8 +185,8 @@ fn is_ignored(signal: i32) -> bool {
     mask.is_some_and(|mask| mask >> (signal - 1) & 1 == 1)
 }
 
-/// From now on the line is cleared before a signal ends the program, even where it waits for somebody
-/// to take its results; what can be stopped goes on after the first Ctrl-C.
+/// Starts clearing the line before a signal ends the program, even while the program waits for a
+/// reader of its results. A stoppable command continues after the first Ctrl-C.
 fn watch_for_signals(
     line: Arc<Mutex<ProgressLine>>,
     stop: Option<Arc<AtomicBool>>,
@@ -193,17 +195,17 @@ fn watch_for_signals(
         .into_iter()
         .filter(|&signal| !is_ignored(signal))
         .collect();
-    // Within the thread: where none can be created, signals keep their effect.
+    // Registered within the thread: if it cannot be created, signals keep their effect.
     let (ready, is_ready) = channel();
     let wait = move || {
         let mut signals = Signals::new(caught).ok();
         let _ = ready.send(signals.is_some());
         for signal in signals.iter_mut().flat_map(|signals| signals.forever()) {
-            // Held to the end, so that nothing is drawn in between.
+            // Locked to the end, so that no update intervenes.
             let mut line = hold(&line);
             line.clear();
             if signal != SIGINT || stop.is_none() {
-                // Without it the program goes on; there is nobody to tell.
+                // Without the default handler the program continues; the error cannot be reported.
                 let _ = emulate_default_handler(signal);
             }
         }
@@ -215,7 +217,7 @@ fn watch_for_signals(
     }
 }
 
-/// Whether the terminal is ours to draw on, and not with a shell that has put us aside.
+/// Returns `true` if the program is in the terminal's foreground.
 fn in_the_foreground() -> bool {
     tcgetpgrp(io::stderr()).is_ok_and(|group| group == getpgrp())
 }
@@ -225,7 +227,7 @@ fn width() -> usize {
     if told == 0 { WIDTH } else { told }
 }
 
-/// What the line tells.
+/// The contents of the line.
 struct Counted<'a> {
     done: u64,
     total: u64,
@@ -235,7 +237,8 @@ struct Counted<'a> {
 }
 
 impl Counted<'_> {
-    /// The line on a terminal of so many columns; what does not fit is left out, the most telling last.
+    /// Formats the line for a width in columns. Parts that do not fit are omitted, the least
+    /// important first.
     fn line(&self, width: usize, ascii: bool) -> String {
         let percent = self.done.saturating_mul(100) / self.total.max(1);
         let percent = format!("{percent:3} %");
@@ -251,7 +254,7 @@ impl Counted<'_> {
         }
         tails.push(format!("{percent}{count}{left}"));
         tails.extend([percent.clone() + &left, percent.clone()]);
-        // A bar is worth its place from ten characters on.
+        // A bar needs at least ten characters.
         let length = |tail: &String| tail.chars().count();
         let fits = |tail: &&String| length(tail) + 12 <= room;
         match tails.iter().find(fits) {
@@ -273,7 +276,7 @@ impl Counted<'_> {
         format!("{}{full}{open}{}", ends[0], ends[1])
     }
 
-    /// The time that is left if it goes on like this, in the largest unit and the next.
+    /// Returns the estimated remaining time, in its largest unit and the next.
     fn left(&self) -> String {
         let rest = self.total.saturating_sub(self.done) as f64;
         let seconds = (self.elapsed.as_secs_f64() * rest / self.done.max(1) as f64).ceil();
@@ -288,7 +291,7 @@ impl Counted<'_> {
     }
 }
 
-/// `1,000,000`.
+/// Formats a number with commas between groups of three digits: `1,000,000`.
 fn in_groups(count: u64) -> String {
     let digits = count.to_string();
     let mut text = String::with_capacity(digits.len() * 4 / 3);

@@ -1,4 +1,4 @@
-//! `krank report`: the working of one state as it is handed in.
+//! `krank report`: writes the solution of one state as a document.
 
 use super::args::ReportArgs;
 use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
@@ -13,10 +13,11 @@ use crate::solver::{Condition, Order};
 use crate::wording::words;
 use std::path::Path;
 
-/// The largest file of another program's figures.
+/// Maximum size of a file with another program's values, in bytes.
 const LARGEST_FOREIGN: usize = 16 * LARGEST_FILE;
 
-/// Writes the report; where there is no assembly, what can still be said, and why there is none.
+/// Writes the report. Without an assembly, writes its possible part and returns the reason as an
+/// error.
 pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
     let path = args.output.output.as_deref();
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
@@ -45,8 +46,8 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     nothing_hidden(&scene, &state)
 }
 
-/// The format that is asked for, or that of the ending of the file; HTML where it has none. An ending of something
-/// else would promise what the file does not hold.
+/// Returns the requested format, or the one of the file's extension, or HTML without an extension.
+/// An unknown extension is an error, because the file's contents would not match it.
 fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportFormat, Failure> {
     let ending = file(path).and_then(Path::extension);
     match (asked, file(path), ending) {
@@ -59,7 +60,7 @@ fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportForm
     }
 }
 
-/// The figures in a file that somebody else wrote.
+/// Reads values from a file that another program wrote.
 pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
     let shown = path.display().to_string();
     let bytes = read_ready(path, LARGEST_FOREIGN)

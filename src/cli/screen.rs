@@ -1,22 +1,22 @@
-//! What a terminal can show: the one behind standard error, or behind standard output.
+//! Determines the capabilities of the terminal behind standard error or standard output.
 
 use crate::capability::{Colours, Judgement, TerminalKind};
 use crate::document::with_ascii_letters;
 use std::io::{IsTerminal, stderr, stdout};
 
-/// What messages and texts to be read may use.
+/// The capabilities for messages and text output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TextScreen {
-    /// 7-bit characters only.
+    /// Only 7-bit characters are available.
     pub(super) ascii: bool,
-    /// Colours.
+    /// Colours are available.
     pub(super) colour: bool,
-    /// A line can be cleared and written again.
+    /// A line can be cleared and rewritten.
     pub(super) redraws: bool,
 }
 
 impl TextScreen {
-    /// Our own text as it is shown there.
+    /// Converts krank's own text to the available letters.
     pub(super) fn shown(self, text: &str) -> String {
         match self.ascii {
             true => with_ascii_letters(text),
@@ -24,12 +24,12 @@ impl TextScreen {
         }
     }
 
-    /// As the environment says.
+    /// Detects the terminal behind standard error from the environment.
     pub(super) fn detect() -> Self {
         TextScreen::judge(&judgement(), stderr().is_terminal())
     }
 
-    /// The same of the terminal behind standard output, for what is read there.
+    /// Detects the terminal behind standard output, for text to be read there.
     pub(super) fn of_results() -> Self {
         TextScreen::judge(&judgement(), stdout().is_terminal())
     }
@@ -37,7 +37,7 @@ impl TextScreen {
     fn judge(judgement: &Judgement, terminal: bool) -> Self {
         let kind = judgement.kind();
         TextScreen {
-            // The Linux console speaks UTF-8, but its fonts lack most of it.
+            // The Linux console decodes UTF-8, but its fonts lack most characters.
             ascii: !judgement.glyphs().value.is_dotted(),
             colour: terminal && judgement.colours().value != Colours::None,
             redraws: terminal && !matches!(kind, TerminalKind::Unknown | TerminalKind::Dumb),
@@ -45,20 +45,20 @@ impl TextScreen {
     }
 }
 
-/// What the environment says of the terminal.
+/// Returns the terminal profile from the environment.
 pub(super) fn judgement() -> Judgement {
     let text = |value: std::ffi::OsString| value.to_string_lossy().into_owned();
     Judgement::of(|name| std::env::var_os(name).map(text))
 }
 
-/// The columns and rows of the terminal behind standard output, if there is one that tells them.
+/// Returns the columns and rows of the terminal behind standard output, if known.
 #[cfg(feature = "tui")]
 pub(super) fn size() -> Option<(u16, u16)> {
     let told = rustix::termios::tcgetwinsize(std::io::stdout()).ok()?;
     (told.ws_col > 0 && told.ws_row > 0).then_some((told.ws_col, told.ws_row))
 }
 
-/// Without the workbench krank does not know how to ask.
+/// Returns `None`: without the workbench, krank cannot query the size.
 #[cfg(not(feature = "tui"))]
 pub(super) fn size() -> Option<(u16, u16)> {
     None

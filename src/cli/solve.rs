@@ -1,4 +1,4 @@
-//! `krank solve`: the numbers of a scene that meet goals, or that are the best.
+//! `krank solve`: finds values of a scene that meet goals, or optimal ones.
 
 use super::args::{FoundFormat, SolveArgs};
 use super::failure::{Failure, note};
@@ -48,7 +48,7 @@ fn goals(texts: &[String], option: &str, catalogue: &Catalogue) -> Result<Vec<Go
     goals.map_err(|why| Failure::Usage(words().of_option(option, &why)))
 }
 
-/// Numbers that meet goals.
+/// Finds values that meet the goals.
 fn meet(
     args: &SolveArgs,
     space: &DesignSpace,
@@ -88,7 +88,7 @@ fn meet(
     }
 }
 
-/// The best numbers.
+/// Finds the values that maximize or minimize a quantity.
 fn optimise(
     args: &SolveArgs,
     space: &DesignSpace,
@@ -147,7 +147,7 @@ fn optimise(
     save(args, space, &design, screen)
 }
 
-/// Ends the progress line, and says so where the search was stopped.
+/// Ends the progress line and notes whether the search was stopped.
 fn end(progress: Progress, screen: TextScreen) {
     let is_stopped = progress.is_stopped();
     progress.end();
@@ -163,7 +163,7 @@ fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(
     }
 }
 
-/// Writes the scene with these numbers, if a file is named.
+/// Writes the scene with these values, if a file is named.
 fn save(
     args: &SolveArgs,
     space: &DesignSpace,
@@ -182,7 +182,7 @@ fn save(
     write_scene(Some(path), &text(design))
 }
 
-/// The text of a design, which opens in its assembly.
+/// Returns the text of a design, which opens in its assembly.
 fn text(design: &Design) -> String {
     let at = design.scene.mechanism.driver().start;
     let started = design

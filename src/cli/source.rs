@@ -1,4 +1,4 @@
-//! Which scene is meant, and opening it.
+//! Finds and opens the scene on the command line.
 
 use super::args::{Cli, OutputArgs, SceneArgs};
 use super::failure::Failure;
@@ -24,19 +24,19 @@ pub(super) struct SolvableScene {
 }
 
 impl SceneArgs {
-    /// The scene that the command line names, in the assembly that it wishes.
+    /// Opens the scene on the command line in the requested assembly.
     pub(super) fn open(&self) -> Result<SolvableScene, Failure> {
         load(&find(&self.scene)?, &self.assembly.wishes)
     }
 
-    /// The same for a command that does not write a scene.
+    /// Opens the scene for a command whose output is not a scene.
     pub(super) fn open_for(&self, output: &OutputArgs) -> Result<SolvableScene, Failure> {
         open_for(&self.scene, &self.assembly.wishes, output)
     }
 }
 
-/// Reads, checks and assembles a scene for a command that writes something else than a scene: not over the
-/// one that it reads.
+/// Reads, checks and assembles a scene for a command whose output is not a scene. Returns an error
+/// if the output would overwrite the scene.
 pub(super) fn open_for(
     name: &Path,
     wishes: &[Wish],
@@ -47,7 +47,7 @@ pub(super) fn open_for(
     load(&source, wishes)
 }
 
-/// The scene of a source, checked and assembled.
+/// Reads, checks and assembles the scene of a source.
 pub(super) fn load(source: &SceneSource, wishes: &[Wish]) -> Result<SolvableScene, Failure> {
     let scene = read(source)?;
     check_figures(&scene).map_err(Failure::Scene)?;
@@ -64,7 +64,7 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
     let misread = |e| Failure::Usage(words().of_option("--assembly", &e));
     let picks = scene.picks(&plan, wishes).map_err(misread)?;
     Solver::with_assembly(&scene.mechanism, &picks).map_err(|fault| {
-        // The scene is sound if it opens without the wish: then it cannot fulfil that.
+        // A scene that opens in its default assembly is valid, so only the request cannot be met.
         if Solver::new(&scene.mechanism).is_err() {
             return broken(&fault);
         }
@@ -76,7 +76,7 @@ fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
     })
 }
 
-/// Where a scene comes from.
+/// The source of a scene.
 #[derive(Debug)]
 pub(super) enum SceneSource {
     Stdin,
@@ -84,7 +84,7 @@ pub(super) enum SceneSource {
     File(PathBuf),
 }
 
-/// Which scene the command line means.
+/// Returns the source of the scene that the command line names.
 pub(super) fn find(name: &Path) -> Result<SceneSource, Failure> {
     source(name, Path::exists)
 }
@@ -98,18 +98,19 @@ fn read(source: &SceneSource) -> Result<Scene, Failure> {
     scene.map_err(Failure::Scene)
 }
 
-/// What stands in standard input, where a scene or a task is meant.
+/// Reads a scene or a task from standard input.
 pub(super) fn standard_input() -> Result<Vec<u8>, Failure> {
     limited(stdin(), LARGEST_FILE).map_err(|e| unreadable(words().standard_input(), &e))
 }
 
-/// What stands in a file, where a scene or a task is meant.
+/// Reads a scene or a task from a file.
 pub(super) fn contents(path: &Path) -> Result<Vec<u8>, Failure> {
     let bytes = read_any(path, LARGEST_FILE);
     bytes.map_err(|e| unreadable(&format!("`{}`", path.display()), &e))
 }
 
-/// Refuses to write to the file that is read, whatever it is called there: the scene would be lost.
+/// Returns an error if the output is the file that is read, under any name: the scene would be
+/// lost.
 pub(super) fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure> {
     let read = match source {
         SceneSource::Preset(_) => return Ok(()),
@@ -122,7 +123,7 @@ pub(super) fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<
     }
 }
 
-/// The same for a file of figures that is read.
+/// Returns an error if the output is the file of values that is read.
 pub(super) fn keep_file_apart(read: &Path, output: Option<&Path>) -> Result<(), Failure> {
     match is_same_file(Some(read), output::file(output)) {
         false => Ok(()),
@@ -136,7 +137,8 @@ fn unreadable(what: &str, error: &io::Error) -> Failure {
     Failure::Usage(words().cannot_read(what, error))
 }
 
-/// A file wins over a preset only by path: a bare name that is a preset means the preset.
+/// Resolves a scene's name. A bare name means a preset if there is one; a file of the same name
+/// needs a path.
 fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Failure> {
     let file = || Ok(SceneSource::File(name.to_owned()));
     let Some(text) = name.to_str() else {
@@ -169,13 +171,14 @@ fn unknown(name: &str) -> Failure {
     Failure::Usage(words().no_preset_and_no_file(name, &mend))
 }
 
-/// The command that was probably meant: a mistyped one is read as the name of a scene.
+/// Returns the command that a mistyped name probably means; the parser takes it for the name of a
+/// scene.
 pub(super) fn meant_command(name: &str) -> Option<String> {
     let krank = Cli::command();
     nearest(name, krank.get_subcommands().map(Command::get_name)).map(str::to_owned)
 }
 
-/// The preset that was probably meant: one that is written so, or one that begins so.
+/// Returns the preset that a name probably means: a similar one, or one with this prefix.
 fn meant_preset(name: &str) -> Option<&'static str> {
     let names = || presets::all().iter().map(|preset| preset.name);
     let begun = |preset: &&str| !name.is_empty() && preset.starts_with(name);

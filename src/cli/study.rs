@@ -1,4 +1,4 @@
-//! `krank study`: figures of many designs of a scene, row by row or as a chart.
+//! `krank study`: computes values of many designs of a scene, as rows or as a chart.
 
 use super::args::{OutputFormat, StudyArgs, StudyFormat};
 use super::failure::{Failure, note};
@@ -19,7 +19,7 @@ use std::io::{self, Write};
 use std::ops::Range;
 use std::path::Path;
 
-/// A study that has been understood: its plan, and what comes of it.
+/// A parsed study: its plan and its quantities.
 pub(super) struct ReadyStudy {
     pub(super) figures: DesignFigures,
     pub(super) plan: DesignPlan,
@@ -28,11 +28,11 @@ pub(super) struct ReadyStudy {
     threads: usize,
 }
 
-/// Where rows go, and what is gathered on the way.
+/// The output of rows, with a summary.
 struct StudyRows<'a> {
     table: &'a DesignTable,
     summary: DesignSummary,
-    /// Of the first design that is none, why.
+    /// The reason why the first invalid design has no values.
     reason: String,
     progress: Progress,
 }
@@ -77,7 +77,7 @@ pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure>
     judge(&rows.summary, &rows.reason, is_whole, screen)
 }
 
-/// What varies, as it was typed.
+/// Parses the varied values.
 fn axes(args: &StudyArgs) -> Result<Vec<PlanAxis>, Failure> {
     let wrong = |why: String| Failure::Usage(words().of_option("--vary", &why));
     let axes = args.vary.iter().map(|text| {
@@ -144,7 +144,7 @@ impl<'a> StudyRows<'a> {
         }
     }
 
-    /// Some rows as they are written.
+    /// Formats rows and adds them to the summary.
     fn lines(&mut self, rows: &[DesignRow]) -> io::Result<String> {
         let mut text = String::new();
         for row in rows {
@@ -159,12 +159,12 @@ impl<'a> StudyRows<'a> {
     }
 }
 
-/// Whether rows stay in a file as they come: those of CSV in what is a file, or becomes one.
+/// Returns `true` if rows are appended to a file one by one: as CSV, to a regular file.
 fn grows(args: &StudyArgs, path: &Path) -> bool {
     args.format == StudyFormat::Csv && !Output::is_stream(path)
 }
 
-/// Writes rows into a file, which keeps them whatever ends the command.
+/// Appends rows to a file, which keeps them even if the command is interrupted.
 fn grow<'a>(
     args: &StudyArgs,
     ready: &ReadyStudy,
@@ -199,7 +199,8 @@ fn grow<'a>(
     Ok(rows)
 }
 
-/// The file that is gone on with, and how many rows it has: those that are looked at are what this study writes there.
+/// Opens a file to resume and returns it with its number of rows. Returns an error if the checked
+/// rows differ from this study's.
 fn resumed(
     ready: &ReadyStudy,
     table: &DesignTable,
@@ -231,7 +232,7 @@ fn resumed(
     Ok((grown.go_on().map_err(failed)?, done))
 }
 
-/// Writes rows to where they are whole or not at all, or to standard output.
+/// Writes rows to standard output, or to a file replaced only after all rows are complete.
 fn write<'a>(
     args: &StudyArgs,
     ready: &ReadyStudy,
@@ -252,7 +253,7 @@ fn write<'a>(
     Ok(rows)
 }
 
-/// Says which designs are none; a whole study without any figure has failed.
+/// Reports invalid designs. A complete study without any values is an error.
 pub(super) fn judge(
     summary: &DesignSummary,
     reason: &str,

@@ -1,4 +1,4 @@
-//! The chart of a study: curves over one value, maps over two.
+//! Draws the chart of a study: curves over one value, maps over two.
 
 use super::args::{Size, StudyArgs, StudyFormat};
 use super::failure::{Failure, note};
@@ -13,10 +13,10 @@ use crate::drawing::plot::{GridMap, Plot, PlotStyle};
 use crate::report::{DesignColumn, DesignSummary, DesignTable};
 use crate::wording::words;
 
-/// Nobody sees more.
+/// Maximum number of designs in a chart; more would not be visible.
 const MOST_DRAWN: u64 = 1_000_000;
 
-/// The places of a value that is drawn.
+/// A drawn value: its name and unit, and its grid points.
 type DrawnAxis<'a> = ([&'a str; 2], Vec<f64>);
 
 pub(super) fn draw(
@@ -70,7 +70,7 @@ fn needs_grid() -> Failure {
     Failure::Usage(words().chart_needs_grid("10^6"))
 }
 
-/// The values that have more than one place.
+/// Returns the values with more than one grid point.
 fn drawn_axes<'a>(
     args: &StudyArgs,
     ready: &ReadyStudy,

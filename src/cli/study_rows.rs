@@ -1,4 +1,4 @@
-//! Verifies the rows of a file that a study resumes: computes rows again, and compares their bytes.
+//! Verifies the rows of a file that a study resumes: computes rows again and compares their bytes.
 
 use super::failure::Failure;
 use super::study::ReadyStudy;
@@ -9,22 +9,23 @@ use std::io::{self, BufRead, BufReader};
 use std::ops::Range;
 use std::path::Path;
 
-/// So many rows are computed again: all of a file that has no more, otherwise blocks of this size spread over it.
+/// Maximum number of rows to compute again. A longer file is checked in evenly distributed
+/// blocks.
 const CHECKED: u64 = 10_000;
 const BLOCK: u64 = 100;
 
-/// Why rows are not accepted.
+/// The reason why rows are rejected.
 enum Rejected {
-    /// The row with this number is not what the study writes.
+    /// The row with this number differs from the study's.
     Changed(u64),
     /// The file cannot be read.
     Unreadable(io::Error),
 }
 
-/// Verifies rows of a file whose first one is that of the design `first`.
+/// Verifies the rows of a file whose first row is that of the design `first`.
 ///
 /// # Errors
-/// A row that is not what the study writes there, and what the system says.
+/// Returns an error if a row differs from the study's or the file cannot be read.
 pub(super) fn verify(
     ready: &ReadyStudy,
     table: &DesignTable,
@@ -75,7 +76,7 @@ fn checked(
     Ok(())
 }
 
-/// The rows that are computed again, by their numbers.
+/// Returns the ranges of rows to compute again.
 fn blocks(rows: u64) -> Vec<Range<u64>> {
     if rows <= CHECKED {
         return std::iter::once(0..rows).collect();

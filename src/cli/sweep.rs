@@ -1,4 +1,4 @@
-//! `krank sweep`: which columns, which rows, and what to say about them.
+//! `krank sweep`: writes values row by row over the motion.
 
 use super::args::{OutputFormat, SweepArgs};
 use super::commands::{few_enough, note_lacking, note_unproved, tell_of_near_misses};
@@ -18,10 +18,10 @@ use crate::solver::{Order, Range};
 use crate::study::motor;
 use crate::wording::words;
 
-/// Degrees from row to row.
+/// Default step of a turning driver, in degrees.
 const STEP: f64 = 1.0;
-/// A pushed slide takes the largest step of 1, 2 or 5 times a power of ten that gives at least so
-/// many steps over the sweep.
+/// Minimum number of steps of a slide over the sweep. The default step is the largest of 1, 2 or 5
+/// times a power of ten that gives as many.
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -97,8 +97,8 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     }
 }
 
-/// The figures that the patterns name or define; all where there are none. The driver and the state may be
-/// named: they have their columns anyway.
+/// Returns the quantities that the patterns name or define. Without patterns, returns all of them
+/// except those of marks. The driver and the state may be named, although they have columns anyway.
 pub(super) fn figures(
     catalogue: &mut Catalogue,
     patterns: &[String],
@@ -125,7 +125,7 @@ pub(super) fn figures(
     Ok(figures)
 }
 
-/// The fault of a formula whose number has a comma, of what stands before and behind that.
+/// Returns the error for a formula that a decimal comma cut into two entries.
 fn cut_number(pair: &[&str]) -> Option<Failure> {
     let &[before, pattern] = pair else {
         return None;
@@ -140,7 +140,7 @@ fn cut_number(pair: &[&str]) -> Option<Failure> {
     })
 }
 
-/// What a pattern names; behind `=` stands a formula, and the figure has its name from then on.
+/// Returns the quantities of a pattern. `name = formula` defines a new quantity.
 pub(super) fn named(
     catalogue: &mut Catalogue,
     option: &str,
@@ -155,7 +155,7 @@ pub(super) fn named(
     catalogue.select(&[pattern]).map_err(unknown)
 }
 
-/// What stands between commas: those in brackets belong to a formula.
+/// Splits a list at commas, except within the parentheses of a formula.
 pub(super) fn entries(list: &str) -> impl Iterator<Item = &str> {
     let mut depth = 0_usize;
     list.split(move |c| {
@@ -168,7 +168,7 @@ pub(super) fn entries(list: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// Says which rows have no values; a sweep without any has failed.
+/// Reports rows without values. A sweep without any values is an error.
 fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
     let &SweepOutcome {
         rows,
@@ -188,7 +188,7 @@ fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), 
     Ok(())
 }
 
-/// Says what could not be said beside the figures.
+/// Reports missing error bounds and derivatives.
 fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
     note_unproved(missing.unproved, missing.figures, screen);
     if missing.unanswered > 0 {
@@ -201,7 +201,7 @@ fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
     note_lacking(missing.lacking, missing.asked, screen);
 }
 
-/// From where to where rows go, as far as that was told.
+/// The limits and step of the rows, as far as given.
 #[derive(Clone, Copy)]
 pub(super) struct RowEnds {
     pub(super) from: Option<WrittenDecimal>,
@@ -209,8 +209,8 @@ pub(super) struct RowEnds {
     pub(super) step: Option<WrittenDecimal>,
 }
 
-/// The rows: an end that was left out is that of the motion, and has a row of its own. A link that is driven turns by
-/// `turn` from row to row where no step was told.
+/// Returns the steps of the rows. A missing limit is that of the motion and gets a row of its own.
+/// `turn` is the default step of a turning driver, in degrees.
 pub(super) fn steps(
     scene: &Scene,
     range: Range,
@@ -238,13 +238,14 @@ pub(super) fn steps(
     })
 }
 
-/// What leads from time to the scene's driver.
+/// Returns the clock that maps time to the driver coordinate.
 pub(super) fn clock(scene: &Scene) -> Result<Clock, Failure> {
     let stands = || Failure::Cannot(words().of_option("--time", &NoTime::StandsStill));
     Clock::of(scene).ok_or_else(stands)
 }
 
-/// At a coordinate nothing is said of the motion over time that a scene has.
+/// Notes that rows by coordinate use the scene's constant speed, if the scene has a motion over
+/// time.
 pub(super) fn tell_of_motion(scene: &Scene, screen: TextScreen) {
     let unit = match scene.mechanism.driver().input {
         Input::Turn(_) => "rad/s".to_owned(),
@@ -255,7 +256,7 @@ pub(super) fn tell_of_motion(scene: &Scene, screen: TextScreen) {
     }
 }
 
-/// The times of rows: an end that was left out is that of the motion, and has a row of its own.
+/// Returns the times of the rows. A missing limit is that of the motion and gets a row of its own.
 fn times((begin, end): (f64, f64), ends: RowEnds) -> Result<Steps, Failure> {
     let given = |given: Option<WrittenDecimal>, other| given.map_or_else(|| decimal(other), Ok);
     let (from, to) = (given(ends.from, begin)?, given(ends.to, end)?);
@@ -267,8 +268,8 @@ fn times((begin, end): (f64, f64), ends: RowEnds) -> Result<Steps, Failure> {
     })
 }
 
-/// What a sweep covers that was not told: the motion, and where forces are among the figures, as many of its
-/// periods as the loads take to repeat.
+/// Returns the default range of a sweep: the motion, repeated for as many periods as the loads need
+/// to repeat if forces are included.
 fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
     let has_forces = figures.iter().any(|q| q.order() == Order::Force);
     let repeats = motor::repeats(&scene.mechanism, range).filter(|_| has_forces);
@@ -280,12 +281,12 @@ fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
     }
 }
 
-/// Limits are finite, so that they have a decimal.
+/// Converts a limit to a decimal; limits are finite.
 fn decimal(value: f64) -> Result<WrittenDecimal, Failure> {
     WrittenDecimal::of(value).ok_or_else(|| Failure::Cannot(words().no_finite_limits().into()))
 }
 
-/// Where a sweep begins that was not told.
+/// Returns the default start of a sweep.
 pub(super) fn first(range: Range, down: bool) -> f64 {
     match (range, down) {
         (Range::Full { .. }, false) => 0.0,
@@ -295,7 +296,7 @@ pub(super) fn first(range: Range, down: bool) -> f64 {
     }
 }
 
-/// Where a sweep ends that was not told: one period on, or on the limit.
+/// Returns the default end of a sweep: one period on, or the limit.
 pub(super) fn last(range: Range, down: bool, from: f64) -> f64 {
     match (range, down) {
         (Range::Full { period }, false) => from + period,
@@ -305,10 +306,11 @@ pub(super) fn last(range: Range, down: bool, from: f64) -> f64 {
     }
 }
 
-/// 1, 2 or 5 times a power of ten, the way of the sweep.
+/// Returns the default step of a slide: 1, 2 or 5 times a power of ten, in the direction of the
+/// sweep.
 fn slide_step(from: f64, to: f64) -> f64 {
     let most = ((to - from) / STEPS_OF_A_SLIDE).abs();
-    // One row, or ends that are no distance apart in doubles: any step will do.
+    // A single row, or limits without a representable distance: any step will do.
     if !most.is_normal() {
         return 1.0;
     }

@@ -1,4 +1,5 @@
-//! `krank synthesize`: linkages that do a task, each a scene that was driven through it.
+//! `krank synthesize`: finds linkages for a task; each is a scene verified by driving it
+//! through the task.
 
 use super::args::{OutputFormat, SynthesizeArgs};
 use super::failure::{Failure, note};
@@ -21,7 +22,7 @@ use crate::wording::words;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf, is_separator};
 
-/// What is done at the end of the search, in parts of a thousand.
+/// Progress at the end of the search, in thousandths.
 const WHOLE: u64 = 1000;
 
 pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -75,7 +76,7 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
     }
 }
 
-/// What a task is called in a list: its example, or its file without the ending.
+/// Returns the task's display name: its example, or its file without the extension.
 #[cfg(feature = "tui")]
 fn called(name: &Path) -> String {
     let stem = name.file_stem().map(|stem| stem.to_string_lossy());
@@ -85,14 +86,14 @@ fn called(name: &Path) -> String {
     }
 }
 
-/// The folder of a task that is a file: an example lies nowhere.
+/// Returns the folder of a task in a file; an example has none.
 #[cfg(feature = "tui")]
 fn folder_of(name: &Path) -> Option<PathBuf> {
     let folder = name.parent().filter(|_| name.is_file());
     folder.map(Path::to_owned)
 }
 
-/// The task that the command line names: an example, a file, or standard input.
+/// Reads the task that the command line names: an example, a file, or standard input.
 fn read(name: &Path) -> Result<TaskFile, Failure> {
     let text = name.to_str().unwrap_or("");
     let file = if text == "-" {
@@ -120,7 +121,8 @@ fn unknown(name: &str) -> Failure {
     Failure::Usage(words().no_task_and_no_file(name, &near.unwrap_or(all)))
 }
 
-/// Writes a scene for each candidate that is told; another text in its place is not written over.
+/// Writes a scene for each listed candidate. Returns an error instead of overwriting a file with
+/// another text.
 fn save(
     folder: &Path,
     report: &SynthesisReport<'_>,
@@ -141,7 +143,7 @@ fn save(
     for (path, text) in &files {
         let is_lost = match read_ready(path, LARGEST_FILE) {
             Ok(bytes) => bytes != text.as_bytes(),
-            // That the folder is none is told where it is made.
+            // If the folder is a file, creating it fails with an error below.
             Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),
         };
         if is_lost {

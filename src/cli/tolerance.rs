@@ -1,4 +1,4 @@
-//! `krank tolerance`: what lengths that are off and loose pins do to figures.
+//! `krank tolerance`: computes the effect of tolerances and joint clearances on values.
 
 use super::args::{OutputFormat, ToleranceArgs};
 use super::commands::{few_enough, out_of_reach, place_meant, tell_of_near_misses};
@@ -18,11 +18,11 @@ use crate::solver::{Condition, Order, Solver};
 use crate::study::{CycleFigure, NoTolerance, SampleOrder, ToleranceStudy, WholeTolerance};
 use crate::wording::words;
 
-/// Degrees from row to row: 72 rows of a turn.
+/// Default step, in degrees: 72 rows per turn.
 const STEP: f64 = 5.0;
-/// So many machines are made where nobody says how many.
+/// Default number of random machines at one coordinate.
 const USUAL_SAMPLES: u32 = 100_000;
-/// The same of figures of the whole motion, for which each has to be followed.
+/// Default number of random machines for values of the whole motion, because each must be tracked.
 const WHOLE_SAMPLES: u32 = 2_000;
 
 pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -88,8 +88,9 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
     judge(outcome?, &limits_text(range, catalogue.driver()), screen)
 }
 
-/// Figures of the whole motion, if such are asked for: `F.stroke`, `transmission`. Others beside them are told where the
-/// driver is meant to be.
+/// Returns the requested values of the whole motion, such as `F.stroke` or `transmission`. Other
+/// values next to them are taken at the coordinate `at`. `None` if there are no values of the whole
+/// motion.
 fn of_whole(
     catalogue: &mut Catalogue,
     columns: &[String],
@@ -123,7 +124,7 @@ fn of_whole(
     Ok(Some(all))
 }
 
-/// Why nothing can be told, and what would help here.
+/// Converts an error of the tolerance study, with advice.
 fn refused(why: NoTolerance) -> Failure {
     Failure::Cannot(match why {
         NoTolerance::Exact => format!("{why}; {}", words().or_say_tolerance()),
@@ -131,7 +132,7 @@ fn refused(why: NoTolerance) -> Failure {
     })
 }
 
-/// The figures that were named; the places and directions of all that moves where none was.
+/// Returns the requested quantities, or all positions and directions if none are named.
 fn asked(catalogue: &mut Catalogue, columns: &[String]) -> Result<Vec<Quantity>, Failure> {
     if columns.is_empty() {
         let mut all = catalogue.figures();
@@ -146,7 +147,7 @@ fn asked(catalogue: &mut Catalogue, columns: &[String]) -> Result<Vec<Quantity>,
     Ok(all)
 }
 
-/// What may be off: what the scene says, or every length as it was typed.
+/// Returns the scene's tolerances, with the typed tolerance for every length and coordinate if given.
 fn tolerances(args: &ToleranceArgs, scene: &Scene) -> Result<Tolerances, Failure> {
     let Some(typed) = &args.tolerance else {
         return Ok(scene.tolerances().clone());
@@ -190,7 +191,7 @@ fn tell(args: &ToleranceArgs, report: &ToleranceReport, ascii: bool) -> Result<(
     }
 }
 
-/// Says what is not proved, and which rows have no values; where none has, it has failed.
+/// Reports unproved rows and rows without values. No values at all is an error.
 fn judge(outcome: ToleranceOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
     let ToleranceOutcome {
         rows,

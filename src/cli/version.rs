@@ -1,4 +1,4 @@
-//! `krank --version --long`: how this krank was built.
+//! `krank --version --long`: prints the build configuration.
 
 use crate::wording::words;
 use std::env::consts::{ARCH, OS};

@@ -1,4 +1,4 @@
-//! Opening the workbench.
+//! Opens the workbench.
 
 use super::args::{Colour, LanguageChoice, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
 use super::config;
@@ -9,8 +9,7 @@ use super::source::{SceneSource, SolvableScene, find, load};
 use crate::tui::{self, Colours, Options, Origin, TaskOrder};
 use std::path::Path;
 
-/// Opens the scene on the terminal and returns when the workbench is left; or prints what would be seen
-/// there.
+/// Opens a scene in the workbench and returns when the user quits, or prints the initial screen.
 pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
     let options = options(args, language)?;
     let named = args.scene.as_deref();
@@ -19,7 +18,7 @@ pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(),
     let origin = match source {
         SceneSource::Stdin => Origin::Stdin,
         SceneSource::Preset(preset) => Origin::Preset(preset.name.to_owned()),
-        // What came through a pipe cannot be read again, nor saved there.
+        // A pipe cannot be read again or saved to.
         SceneSource::File(path) if !path.is_file() => Origin::Stdin,
         SceneSource::File(path) => Origin::File(path),
     };
@@ -35,7 +34,7 @@ pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(),
     run(opened, &options)
 }
 
-/// Opens the usual scene, and over it the list of the linkages that do a task.
+/// Opens the default scene, with the list of linkages for a task over it.
 pub(super) fn open_task(task: TaskOrder) -> Result<(), Failure> {
     let config = config::load(None)?;
     let options = Options {
@@ -68,10 +67,10 @@ fn run(opened: tui::Opened, options: &Options) -> Result<(), Failure> {
     })
 }
 
-/// What is asked for on the command line, and where it says nothing, in the configuration.
+/// Merges the options of the command line with the configuration; the former take precedence.
 pub(super) fn options(args: &WorkbenchArgs, language: LanguageChoice) -> Result<Options, Failure> {
     let config = config::load(args.config.as_deref())?;
-    // Of a configuration that comes through a pipe it was not known before.
+    // A configuration from a pipe was not read before, so its language is not yet selected.
     if let (None, Some(language)) = (language.asked(), config.language) {
         language.speak();
     }

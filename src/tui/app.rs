@@ -1,4 +1,4 @@
-//! The state of the workbench and how actions change it. Views read it and change nothing.
+//! The workbench's state, and how actions change it. Views only read it.
 
 mod changing;
 mod choosing;
@@ -72,80 +72,80 @@ use shell::Shell;
 use std::os::fd::BorrowedFd;
 use std::time::Duration;
 
-/// What the terminal has to do after an action.
+/// The effect of an action on the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Effect {
-    /// Show what has changed.
+    /// Draw a frame with the changes.
     Show,
-    /// Take these bytes, which are no part of a frame; then show what has changed.
+    /// Write these bytes, which belong to no frame, then draw a frame with the changes.
     Send(Vec<u8>),
-    /// Show the drawing in pixels.
+    /// Send the drawing as a pixel image.
     Still,
-    /// Keep the screen as it is, for [`App::ask_for_picture`].
+    /// Leave the screen unchanged, for [`App::ask_for_picture`].
     Picture,
-    /// Draw everything again.
+    /// Repaint the whole screen.
     Redraw,
-    /// Stop the program until the shell continues it.
+    /// Suspend the process until the shell continues it.
     Suspend,
-    /// Leave.
+    /// Quit the program.
     Quit,
 }
 
 /// The workbench without its terminal.
 #[derive(Debug)]
 pub(crate) struct App {
-    /// The open scene and where its driver is.
+    /// The open scene, its driver coordinate and its playback.
     player: Player,
-    /// The scene as a text that is edited.
+    /// The scene as editable text.
     document: Document,
-    /// What keys go to and what is looked at, on what screen.
+    /// The input mode, the current view and the screen.
     shell: Shell,
 
-    // What the views show beside the scene itself.
-    /// What the motion view shows beside the linkage, and how large.
+    // State of the views.
+    /// The motion view's overlays and scale.
     viewport: Viewport,
-    /// What the motion view shows of the tables.
+    /// The points marked in the tables and traced in the motion view.
     followed: FollowedPoints,
-    /// Where the cursor of the tables is.
+    /// The cursor of the tables.
     cursor: Cursor,
-    /// The name that was sought last.
+    /// The last search text.
     sought: String,
-    /// The line in which it was found, in a view that is read.
+    /// The line with the last match, in a view of text lines.
     found: Option<FoundLine>,
-    /// What is plotted.
+    /// The plotted curves.
     plots: Plots,
-    /// What the open scene asks of its motor.
+    /// The motor study of the open scene.
     motor: MotorStudy,
-    /// The study of the open scene.
+    /// The accuracy study of the open scene.
     study_run: StudyRun,
-    /// The method that is watched in the place of the study.
+    /// The position method whose iterations replace the study's display, if any.
     watched: Option<PositionMethod>,
-    /// Where it begins, as that was typed.
+    /// The initial guess of the watched method, as typed.
     guess: String,
-    /// What was seen of the scenes in the list of presets and files.
+    /// Cached previews of the scenes in the list of presets and files.
     previews: Previews,
-    /// The linkages for the task that was looked at last.
+    /// The candidate linkages of the last synthesis task.
     candidates: Option<CandidateList>,
-    /// The designs for a goal, while they are looked for or gone through.
+    /// The designs for a goal, while they are searched or browsed.
     goal_run: Option<GoalRun>,
-    /// What the open scene is held against.
+    /// The comparison with another scene.
     comparison: Comparison,
 
-    /// Does what is to be done to files.
+    /// Runs file operations.
     clerk: Clerk<App>,
-    /// How CSV files are written.
+    /// The dialect of written CSV files.
     csv: CsvDialect,
-    /// What is to be done once nothing is unsaved.
+    /// The action to run once all edits are saved or discarded.
     pending: Option<Pending>,
-    /// How many scenes have been shown, whatever was made of each: what was asked for of one is no answer to
-    /// another.
+    /// The number of scenes shown so far. A background result applies only if this number is
+    /// unchanged.
     scenes: usize,
-    /// The time that was told last.
+    /// The time of the last tick.
     now: Duration,
 }
 
 impl App {
-    /// A workbench with an open scene, paused where it says, or at `at`.
+    /// Creates a workbench with an open scene, paused at the scene's own coordinate or at `at`.
     pub(crate) fn new(opened: Opened, at: Option<f64>, capability: Capability, size: Size) -> Self {
         let document = Document::new(&opened.scene);
         let mut app = App {
@@ -181,29 +181,29 @@ impl App {
         app
     }
 
-    /// Works on files apart from the screen from now on, where the system lets us.
+    /// Moves file operations to background threads, if the system allows threads.
     pub(crate) fn work_apart(&mut self) {
         self.clerk = Clerk::apart().unwrap_or_default();
     }
 
-    /// Readable when something was done to a file.
+    /// Returns a file descriptor that becomes readable when a file operation ends.
     pub(crate) fn bell(&self) -> Option<BorrowedFd<'_>> {
         self.clerk.bell()
     }
 
-    /// The bell was heard.
+    /// Clears the signal that a file operation has ended.
     pub(crate) fn hush(&self) {
         self.clerk.hush();
     }
 
-    /// Says what of a configuration was ignored.
+    /// Reports the ignored parts of a configuration.
     pub(crate) fn warn_of_config(&mut self, warnings: &Diagnostics) {
         let more = warnings.items.len().saturating_sub(1);
         let first = warnings.first_words();
         self.shell.say(words().ignored(first, more));
     }
 
-    /// Takes what a person has configured.
+    /// Applies the user's configuration.
     pub(crate) fn configure(&mut self, config: &Config) {
         self.shell.keymap = config.keymap.clone();
         self.shell.has_mouse = config.mouse;
@@ -212,7 +212,7 @@ impl App {
         self.attend_to_panes();
     }
 
-    /// Speaks the next language: what was said in the one before is said again.
+    /// Switches to the next language and rebuilds all cached text.
     fn next_language(&mut self) {
         Language::spoken().next().speak();
         self.motor = MotorStudy::default();
@@ -225,7 +225,7 @@ impl App {
         self.shell.say(words().language_is());
     }
 
-    /// How CSV files are written.
+    /// Returns the dialect of written CSV files.
     pub(crate) fn csv_dialect(&self) -> CsvDialect {
         self.csv
     }
@@ -238,7 +238,7 @@ impl App {
         &self.player.steps
     }
 
-    /// What playing goes along.
+    /// Returns the sequence of positions along which the scene is played.
     pub(crate) fn track(&self) -> Track {
         self.player.track()
     }
@@ -251,39 +251,39 @@ impl App {
         &self.study_run
     }
 
-    /// What is marked in the tables to be shown in the motion view.
+    /// Returns the points marked in the tables and traced in the motion view.
     pub(crate) fn followed(&self) -> &FollowedPoints {
         &self.followed
     }
 
-    /// Which key asks for what.
+    /// Returns the key bindings.
     pub(crate) fn keymap(&self) -> &Keymap {
         &self.shell.keymap
     }
 
-    /// What the motion view shows beside the linkage, and how large.
+    /// Returns the motion view's overlays and scale.
     pub(crate) fn viewport(&self) -> &Viewport {
         &self.viewport
     }
 
-    /// The cursor of the tables.
+    /// Returns the cursor of the tables.
     pub(crate) fn cursor(&self) -> Cursor {
         self.cursor
     }
 
-    /// What is edited in the open scene.
+    /// Returns the editor of the open scene.
     pub(crate) fn editor(&self) -> &Editor {
         &self.document.editor
     }
 
-    /// Whether the scene that is shown is not the one in its file.
+    /// Returns `true` if the scene differs from its file.
     pub(crate) fn is_changed(&self) -> bool {
         self.document
             .editor
             .is_changed(self.player.open_scene.scene())
     }
 
-    /// Whether no file holds the scene as it is shown.
+    /// Returns `true` if no file holds the scene as shown.
     pub(crate) fn is_unsaved(&self) -> bool {
         let is_new = matches!(self.player.open_scene.origin(), Origin::New(_));
         is_new || self.is_changed()
@@ -297,22 +297,22 @@ impl App {
         &self.shell.mode
     }
 
-    /// Lines that a view is scrolled by.
+    /// Returns the number of lines by which a view is scrolled.
     pub(crate) fn scroll(&self, view: View) -> usize {
         self.shell.scroll[view as usize]
     }
 
-    /// The line of what is looked at in which something was found.
+    /// Returns the line with the last search match, if `view` is the current view.
     pub(crate) fn found(&self, view: View) -> Option<&FoundLine> {
         self.found.as_ref().filter(|_| view == self.shell.view)
     }
 
-    /// How the panes stand.
+    /// Returns the arrangement of the panes.
     pub(crate) fn composition(&self) -> &Composition {
         &self.shell.composition
     }
 
-    /// The views that stand on the screen, what is looked at among them.
+    /// Returns the views on the screen, including the current one.
     pub(crate) fn standing(&self) -> Vec<View> {
         if !views::has_room(self.shell.size) {
             return vec![self.shell.view];
@@ -338,7 +338,7 @@ impl App {
         self.shell.capability.colours
     }
 
-    /// How colours are sent.
+    /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
         Palette {
             colours: self.shell.capability.colours,
@@ -346,17 +346,17 @@ impl App {
         }
     }
 
-    /// Names of colours stand for those of this theme.
+    /// Sets the theme, which maps colour names to colours.
     pub(crate) fn set_theme(&mut self, theme: Theme) {
         self.shell.theme = theme;
     }
 
-    /// The scene as it was before the last edit; until the next key.
+    /// Returns the scene as it was before the last edit; `None` after the next key.
     pub(crate) fn scene_before(&self) -> Option<&OpenScene> {
         self.shell.before.as_ref().map(|before| &before.open_scene)
     }
 
-    /// What was said of the linkage before the last edit, where that says something else now.
+    /// Returns the verdict on the linkage before the last edit, if the edit changed it.
     pub(crate) fn verdict_before(&self) -> Option<&Verdict> {
         let before = self.scene_before()?.verdict();
         (before != self.player.open_scene.verdict()).then_some(before)
@@ -366,7 +366,7 @@ impl App {
         self.shell.message.as_deref()
     }
 
-    /// Does what was asked.
+    /// Executes an action and returns its effect on the terminal.
     pub(crate) fn update(&mut self, action: Action, now: Duration) -> Effect {
         self.shell.message = None;
         if self.is_held_up(action) {
@@ -461,7 +461,7 @@ impl App {
         Effect::Show
     }
 
-    /// Why figures are missing, if they are.
+    /// Returns the condition of the solution: why values are missing, if they are.
     pub(crate) fn condition(&self) -> Condition {
         self.player.open_scene.condition()
     }

@@ -1,21 +1,21 @@
 //! The workbench: a scene on the screen, moved by keys.
 //!
-//! Keys become actions, actions change the state, views show it: a view changes nothing. Time and the
-//! terminal come in from outside, so that the whole can be driven, as a [`Workbench`], by a
-//! test. The timer follows the wall clock; while paused nothing wakes up and nothing is written.
+//! Keys become actions, actions change the state, and views show it without changing it. Time and
+//! the terminal are passed in, so that a test can drive everything as a [`Workbench`]. The timer
+//! follows the wall clock. While paused, the program neither wakes up nor writes.
 //!
 //! # Where to find what
 //!
-//! | room | what it holds |
+//! | module | contents |
 //! |---|---|
-//! | `app` | the state of the workbench, and what each action does to it |
-//! | `commands`, `config` | keys, the one table of what they can ask for, and what a person has configured |
-//! | `document` | the scene as a text: edits, its file, recovery; what is done to files |
-//! | `player` | the open scene solved where its driver stands, how that moves, and what is compared with it |
-//! | `figures` | tables: columns, digits, the cursor, finding, copying |
-//! | `views` | what is drawn: a folder or file for each view and each list, with what it keeps |
-//! | `appearance` | what the parts of the screen look like, and the colours of a terminal |
-//! | `workbench`, `picture`, `terminal` | the whole without a terminal, its screen as text, and the real terminal |
+//! | `app` | the state of the workbench, and how each action changes it |
+//! | `commands`, `config` | key bindings, the table of all commands, and the user's configuration |
+//! | `document` | the scene as text: edits, its file, recovery and file operations |
+//! | `player` | the open scene solved at its driver coordinate, its motion, and the compared scene |
+//! | `figures` | tables: columns, digits, the cursor, searching, copying |
+//! | `views` | drawing: a folder or file for each view and each list, with its state |
+//! | `appearance` | the look of the screen's parts, and the terminal's colours |
+//! | `workbench`, `picture`, `terminal` | the workbench without a terminal, its screen as text, and the real terminal |
 
 mod app;
 mod appearance;
@@ -61,47 +61,47 @@ use std::time::{Duration, Instant};
 use terminal::{Console, Notice, Tty, Wake};
 use thiserror::Error;
 
-/// Where a scene comes from.
+/// The origin of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Origin {
-    /// Built in, under this name.
+    /// A built-in preset with this name.
     Preset(String),
     /// A file.
     File(PathBuf),
-    /// Made here, under this name: no file holds it yet.
+    /// A new scene with this name, not yet saved to any file.
     New(String),
     /// Standard input; keys are then read from /dev/tty.
     Stdin,
 }
 
-/// A scene that is ready to be shown.
+/// A scene with its solver, ready to be shown.
 #[derive(Debug)]
 pub struct Opened {
     /// The scene.
     pub scene: Scene,
-    /// Its solver, with nothing left out.
+    /// The scene's solver, with no quantity left out.
     pub solver: Solver,
-    /// Where it comes from.
+    /// The scene's origin.
     pub origin: Origin,
 }
 
-/// A task whose linkages are to be looked for.
+/// A synthesis task to be solved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TaskOrder {
-    /// What is wanted.
+    /// The task file.
     pub file: TaskFile,
-    /// What it is called in a list, and scenes after it.
+    /// The task's name, in lists and in the names of its scenes.
     pub name: String,
-    /// From which chance follows, where a search begins at many places.
+    /// The seed of the random numbers, for a search that starts at many points.
     pub seed: u64,
-    /// How far each length of a scene may be off; nothing where that is left open.
+    /// The permitted deviation of each length of a scene; `None` if the user gave none.
     pub tolerance: Option<f64>,
-    /// The folder that it lies in: what is saved of it is offered a name there.
+    /// The task's folder, offered as the folder of saved solutions.
     pub folder: Option<PathBuf>,
 }
 
 impl TaskOrder {
-    /// A task as it is looked at where nothing else is said.
+    /// Creates an order with the default seed, without tolerance and folder.
     #[must_use]
     pub fn new(file: TaskFile, name: String) -> TaskOrder {
         TaskOrder {
@@ -114,43 +114,43 @@ impl TaskOrder {
     }
 }
 
-/// How to open the workbench; what is `None` follows from the scene and the environment.
+/// Options for opening the workbench. A `None` is replaced by a value from the scene or the
+/// environment.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Options {
-    /// The driver's coordinate, in degrees or in the scene's length unit.
+    /// The driver coordinate, in degrees or in the scene's length unit.
     pub at: Option<f64>,
-    /// The characters to draw with, whatever is configured.
+    /// The characters to draw with; overrides the configuration.
     pub glyphs: Option<Glyphs>,
-    /// The colours to draw with, whatever is configured.
+    /// The colours to draw with; overrides the configuration.
     pub colours: Option<Colours>,
-    /// The view to open with.
+    /// The initial view.
     pub view: Option<View>,
-    /// Which colours stand for the names of the palette.
+    /// The theme, which maps the palette's names to colours.
     pub theme: Theme,
-    /// How still pictures are sent.
+    /// The protocol for pixel images.
     pub picture: PictureChoice,
-    /// What is configured beside these.
+    /// All other configuration.
     pub config: Config,
-    /// A task whose linkages are looked for at once.
+    /// A synthesis task to start at once.
     pub task: Option<TaskOrder>,
-    /// Whether nothing was named that somebody wants to see at once: then the first start begins with the
-    /// tour.
+    /// `true` if the command line names nothing to show. The first start then begins with the tour.
     pub idle: bool,
 }
 
-/// Frames with at least one changed cell, and what they cost.
+/// Number and size of the frames with at least one changed cell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Frames {
-    /// How many there were.
+    /// The number of frames.
     pub count: u64,
-    /// Their bytes.
+    /// The total size of the frames, in bytes.
     pub bytes: u64,
 }
 
-/// Why the workbench could not be opened, or had to be left.
+/// The reason why the workbench could not open or had to close.
 #[derive(Debug, Error)]
 pub enum Error {
-    /// Standard output goes elsewhere.
+    /// Standard output is no terminal.
     #[error("{}", words().output_is_no_terminal())]
     NoScreen,
     /// Neither standard input nor /dev/tty is a terminal.
@@ -159,16 +159,17 @@ pub enum Error {
     /// The terminal cannot place its cursor.
     #[error("{}", words().terminal_is_dumb())]
     Dumb,
-    /// What the system says.
+    /// An I/O error of the terminal.
     #[error("{}", words().terminal_failed(.0))]
     Terminal(#[from] io::Error),
-    /// A panic: what, and where in the source.
+    /// A panic: its message and source location.
     #[error("{}", words().krank_is_broken(.0))]
     Broken(String),
 }
 
 impl Error {
-    /// Whether the workbench was asked for where there can be none: a wrong command line.
+    /// Returns `true` if the command line asks for a workbench where none is possible: a usage
+    /// error.
     #[must_use]
     pub fn is_usage(&self) -> bool {
         match self {
@@ -178,14 +179,14 @@ impl Error {
     }
 }
 
-/// Opens the workbench on the terminal and returns when it is left.
+/// Opens the workbench on the terminal and returns when the user quits.
 ///
-/// The terminal is put back as it was found, whatever happens. A signal that ends the program, or a
-/// terminal that vanishes, ends the process by that signal once the terminal is put back.
+/// The terminal's state is always restored. If a signal ends the program, or the terminal
+/// disappears, the process ends by that signal after the terminal is restored.
 ///
 /// # Errors
-/// Where there is no terminal that can show it, and what the system says about it. A panic inside is
-/// an error too.
+/// Returns an error if no suitable terminal exists, if an I/O operation on it fails, or if the
+/// workbench panics.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     let judgement = Judgement::of(|name| std::env::var(name).ok());
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
@@ -224,8 +225,8 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
     Ok(())
 }
 
-/// Runs something that holds the terminal: a panic is caught on the way out, and told only after the
-/// terminal was put back.
+/// Runs a function that holds the terminal. Catches a panic and reports it only after the terminal
+/// is restored.
 fn catching<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     let told = Arc::new(Mutex::new(String::new()));
     let teller = Arc::clone(&told);
@@ -242,7 +243,7 @@ fn catching<T>(run: impl FnOnce() -> Result<T, Error>) -> Result<T, Error> {
     })
 }
 
-/// What panicked and where; with RUST_BACKTRACE also how it came there.
+/// Formats a panic's message and location; with `RUST_BACKTRACE` also its backtrace.
 fn told_of(info: &PanicHookInfo<'_>) -> String {
     let payload = info.payload();
     let what = payload
@@ -262,15 +263,15 @@ fn told_of(info: &PanicHookInfo<'_>) -> String {
 struct Session<T> {
     tty: T,
     workbench: Workbench,
-    /// From when on its time counts.
+    /// The time at which the session began.
     begun: Instant,
-    /// Whether something has happened that no frame has shown yet,
+    /// `true` if something has happened that no frame shows yet.
     owed: bool,
-    /// and whether that is worth another picture before the last one was sent to its end.
+    /// `true` if that justifies a new frame before the last one is completely sent.
     anew: bool,
 }
 
-/// By what signal the process is to end, if not by itself.
+/// The signal by which the process is to end; `None` for a normal exit.
 type EndSignal = Option<i32>;
 
 impl<T: Console> Session<T> {
@@ -292,7 +293,8 @@ impl<T: Console> Session<T> {
         }
     }
 
-    /// Shows what is owed, waits once, and takes in what has happened; the end, if that was it.
+    /// Paints a pending frame, waits once, and handles the events. Returns `Some` if the session
+    /// ends.
     fn step(&mut self) -> Result<Option<EndSignal>, Error> {
         if self.owed && self.is_ready() {
             self.paint()?;
@@ -305,7 +307,7 @@ impl<T: Console> Session<T> {
         self.tty.take_mouse(wanted)?;
         let deadline = self.deadline();
         if self.tty.follow(self.workbench.app().watched()) {
-            // It may have been written between the first look and now.
+            // The file may have been written between the first check and now.
             let now = self.elapsed();
             self.workbench.app().look_at_file(now, true);
         }
@@ -319,10 +321,9 @@ impl<T: Console> Session<T> {
             return Ok(None);
         }
         self.owed = true;
-        // What moves on by itself waits for a slow line: half of one picture and half of the next
-        // would be none.
+        // An animation waits for a slow line: halves of two different frames would show neither.
         self.anew |= wakes.iter().any(|wake| *wake != Wake::Room);
-        // Everything that has come is taken in before one frame shows it.
+        // All pending events are handled before one frame shows the result.
         self.take_all(wakes)
     }
 
@@ -337,7 +338,7 @@ impl<T: Console> Session<T> {
         ready.is_none_or(|ready| ready <= self.tty.now())
     }
 
-    /// Sends the screen as it is now, or what was left of it before.
+    /// Sends the current screen, or the unsent rest of the last one.
     fn paint(&mut self) -> Result<(), Error> {
         let room = self.tty.room();
         let frame = if self.anew {
@@ -353,10 +354,10 @@ impl<T: Console> Session<T> {
         Ok(())
     }
 
-    /// Until when to wait, if nothing happens before.
+    /// Returns the time until which to wait for an event; `None` waits without a limit.
     fn deadline(&mut self) -> Option<Instant> {
         let ready = self.tty.ready_at();
-        // There is work to do, whether or not a slow line takes the next frame.
+        // A background computation continues, whether or not a slow line takes the next frame.
         if self.workbench.app().is_working() {
             return Some(self.tty.now());
         }
@@ -368,7 +369,7 @@ impl<T: Console> Session<T> {
     }
 
     fn take_all(&mut self, wakes: Vec<Wake>) -> Result<Option<EndSignal>, Error> {
-        // Time in which the program was stopped has not passed for what is played.
+        // Playback does not advance while the process is suspended.
         let mut stopped = wakes.contains(&Wake::Notice(Notice::Continued));
         if !stopped {
             let now = self.elapsed();
@@ -391,7 +392,7 @@ impl<T: Console> Session<T> {
         Ok(None)
     }
 
-    /// Takes in what has happened; the end, if that was it.
+    /// Handles an event. Returns `Some` if the session ends.
     fn take(&mut self, wake: Wake) -> Result<Option<EndSignal>, Error> {
         match wake {
             Wake::HungUp => return Ok(Some(Some(terminal::HANG_UP))),
@@ -429,7 +430,7 @@ impl<T: Console> Session<T> {
         Ok(None)
     }
 
-    /// Does what the workbench asks of its terminal; the end, if that is it.
+    /// Applies an effect to the terminal. Returns `Some` if the session ends.
     fn follow(&mut self, effect: Effect) -> Result<Option<EndSignal>, Error> {
         match effect {
             Effect::Show | Effect::Picture => {}
@@ -445,13 +446,14 @@ impl<T: Console> Session<T> {
         Ok(None)
     }
 
-    /// Takes in what was done to files; the end, if the program was to be left after it.
+    /// Handles finished file operations. Returns `Some` if the program was waiting for them to
+    /// quit.
     fn attend(&mut self, now: Duration) -> Option<EndSignal> {
         (self.workbench.app().attend(now) == Effect::Quit).then_some(None)
     }
 
-    /// What the terminal shows, and how large it is, is no longer what it was: where it became smaller and
-    /// larger again, only the first.
+    /// Adopts the terminal's current size and repaints everything. The screen's contents are
+    /// unknown, even if the terminal shrank and grew back to the same size.
     fn start_over(&mut self) {
         let (size, aspect) = (self.tty.size(), self.tty.aspect());
         self.workbench.app().resize(size, aspect);
@@ -459,13 +461,14 @@ impl<T: Console> Session<T> {
     }
 }
 
-/// Whether nothing has happened but that the line has taken the last frame, which is no reason for another. No wake
-/// at all is one: the time has come.
+/// Returns `true` if the only event is that the line took the last frame, which needs no new frame.
+/// An empty list means that the deadline has come, so it returns `false`.
 fn is_room_alone(wakes: &[Wake]) -> bool {
     !wakes.is_empty() && wakes.iter().all(|wake| *wake == Wake::Room)
 }
 
-/// Of a mouse that is dragged only the last place counts before a frame shows it.
+/// Returns `true` if `wake` is a mouse drag directly followed by another. Only the last position
+/// before a frame counts.
 fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
     let is_drag = |wake: &Wake| {
         matches!(
@@ -479,8 +482,8 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
     is_drag(wake) && next.is_some_and(is_drag)
 }
 
-/// `KRANK_FAULT=panic` makes the workbench panic after its first frame, for the test that the
-/// terminal survives it; `KRANK_FAULT=busy` makes it compute for ever. A release build knows no such switch.
+/// Injects a fault: `KRANK_FAULT=panic` panics after the first frame, for the test that restores
+/// the terminal; `KRANK_FAULT=busy` loops forever. Release builds ignore both.
 #[cfg(debug_assertions)]
 fn fault_on_demand() {
     let fault = std::env::var_os("KRANK_FAULT").unwrap_or_default();

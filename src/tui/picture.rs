@@ -1,19 +1,19 @@
-//! The screen of the workbench without a terminal.
+//! Renders the workbench's screen as text, without a terminal.
 
 use super::{Colours, Opened, Options, Workbench};
 use crate::capability::{Capability, Judgement};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
 
-/// The screen that opens, of `cols` x `rows` characters, as text; no terminal is needed, and nothing is
-/// asked of one. What is measured by time is measured to its end.
+/// Returns the initial screen, `cols` x `rows` characters, as text. Neither needs nor queries a
+/// terminal. Timed measurements are completed first.
 ///
-/// Glyphs follow from the environment, as for the workbench itself; where that would not open they are
-/// ASCII.
+/// Glyphs follow from the environment, as for the workbench itself, or are ASCII if the workbench
+/// would not open there.
 #[must_use]
 pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> String {
     let judgement = Judgement::of(|name| std::env::var(name).ok());
-    // Text has no colours: what they say is said in another way.
+    // Text has no colours, so the drawing must express them in another form.
     let colours = Colours::None;
     let capability = judgement.capability(options.glyphs, Some(colours));
     let capability = capability.unwrap_or(Capability {

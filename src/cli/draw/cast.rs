@@ -1,5 +1,5 @@
-//! A turn in characters and colours, as asciinema plays it: an asciicast of version 2, in 7 bits and without a time
-//! stamp, so that the same scene gives the same bytes.
+//! Writes one turn in characters and colours as an asciicast of version 2, for asciinema. The
+//! output is 7-bit and has no time stamp, so that equal scenes give equal bytes.
 
 use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
@@ -25,7 +25,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let title = json(&sanitized(&drawn.title(), false));
     let mut cast =
         format!("{{\"version\": 2, \"width\": {cols}, \"height\": {rows}, \"title\": {title}}}\n");
-    // Whoever plays it has a player for it, and fonts: nothing follows from where it was written.
+    // The player's terminal has its own fonts, so the environment of this one is irrelevant.
     let glyphs = drawn.args.glyphs.asked().unwrap_or(Glyphs::Braille);
     let legend_of = |view: &WorldView| {
         let entries = drawn.overlay.legend(view, 1.0);
@@ -42,7 +42,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let mut before = Raster::new();
     for (k, &at) in places.iter().enumerate() {
         if k + 1 == places.len() {
-            // It is the first one again, whatever the names have met on the way.
+            // The last frame equals the first, even if labels moved during the motion.
             labels.clone_from(&settled);
         }
         let figure = drawn.figure_at(at, &mut state);
@@ -54,7 +54,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
             text.push_str(&legend(&legend_of(&view), view.rows(), glyphs));
         }
         if k + 1 == places.len() {
-            // The shell goes on below it, with its cursor.
+            // The shell continues below the drawing, with its cursor.
             let _ = write!(text, "\x1b[{rows};1H\x1b[?25h");
         }
         let _ = writeln!(cast, "[{seconds:.3}, \"o\", {}]", json(&text));
@@ -63,11 +63,12 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     Ok(cast.into_bytes())
 }
 
-/// What makes the one picture the other, row by row; all of it where there was none.
+/// Returns the sequences that change one frame into the next, row by row. Without a previous frame,
+/// returns the whole frame.
 fn changed(before: &Raster, now: &Raster) -> String {
     let mut text = String::new();
     if before.rows() == 0 {
-        // The cursor would be seen at the end of the last row.
+        // The cursor would be visible at the end of the last row.
         text.push_str("\x1b[?25l\x1b[2J");
     }
     let lines = now.lines().enumerate();
@@ -86,7 +87,7 @@ fn changed(before: &Raster, now: &Raster) -> String {
         if in_force != PLAIN {
             let _ = write!(text, "\x1b[{PLAIN}m");
         }
-        // Behind the last column some terminals would erase the character in it.
+        // After the last column, some terminals would erase the character in it.
         if end.is_none_or(|end| end + 1 < line.len()) {
             text.push_str("\x1b[K");
         }
@@ -94,7 +95,7 @@ fn changed(before: &Raster, now: &Raster) -> String {
     text
 }
 
-/// The lines of a legend below a drawing of so many rows.
+/// Returns the legend's lines below a drawing of `rows` rows.
 fn legend(lines: &[Vec<LegendPiece>], rows: u16, glyphs: Glyphs) -> String {
     let mut text = String::new();
     for (line, row) in lines.iter().zip(rows + 1..) {
@@ -110,8 +111,8 @@ fn legend(lines: &[Vec<LegendPiece>], rows: u16, glyphs: Glyphs) -> String {
 
 const PLAIN: &str = "0";
 
-/// Hues that read on black and on white, as the workbench has them where it knows no ground: nobody knows where it
-/// is played.
+/// Returns the colour sequence of a role. The background of the player is unknown, so the hues are
+/// legible on black and white.
 fn colours(role: Role) -> String {
     let bold = if is_bold(role) { ";1" } else { "" };
     match Hue::of(role) {
@@ -120,7 +121,7 @@ fn colours(role: Role) -> String {
     }
 }
 
-/// A text as JSON has it, in 7 bits.
+/// Encodes a text as a 7-bit JSON string.
 fn json(text: &str) -> String {
     let mut quoted = String::from("\"");
     for c in text.chars() {

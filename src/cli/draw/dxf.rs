@@ -1,4 +1,4 @@
-//! A drawing for CAD.
+//! Writes a drawing for CAD.
 
 use super::DrawFormat;
 use crate::drawing::machine_drawing;

@@ -1,26 +1,26 @@
-//! The ways to write a drawing: one table, a file each.
+//! Lists the drawing formats; each has its own file.
 
 use super::DrawnScene;
 use crate::cli::args::{DrawArgs, NamesChoice};
 use crate::cli::failure::Failure;
 use crate::wording::{Wording, words};
 
-/// A way to write a drawing.
+/// A drawing format.
 #[derive(Debug)]
 pub(in crate::cli) struct DrawFormat {
-    /// What `--format` calls it: a promise.
+    /// The name in `--format`, which must not change.
     pub(in crate::cli) name: &'static str,
     pub(in crate::cli) about: Wording,
-    /// Which of the options that are not for every format it takes.
+    /// The format-specific options that it supports.
     pub(super) takes: &'static [FormatOption],
-    /// Whether it is looked at as it is: then it takes what only shows.
+    /// `true` if the output is an image for viewing, which supports all display options.
     pub(super) is_picture: bool,
-    /// Whether it is no text: a terminal is not sent such bytes.
+    /// `true` if the output is binary, which is never sent to a terminal.
     pub(super) is_binary: bool,
     pub(super) write: fn(&DrawnScene<'_>) -> Result<Vec<u8>, Failure>,
 }
 
-/// An option that means nothing to some formats.
+/// An option that not every format supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FormatOption {
     Glyphs,
@@ -38,7 +38,7 @@ pub(super) enum FormatOption {
     NoGuides,
 }
 
-/// All of them, as the help lists them.
+/// All formats, in the order of the help.
 pub(in crate::cli) static FORMATS: [&DrawFormat; 6] = [
     &super::text::FORMAT,
     &super::svg::FORMAT,
@@ -49,7 +49,7 @@ pub(in crate::cli) static FORMATS: [&DrawFormat; 6] = [
 ];
 
 impl DrawFormat {
-    /// Nothing that was asked for is passed over in silence.
+    /// Returns an error if the command line has an option that this format does not support.
     pub(super) fn check(&self, args: &DrawArgs) -> Result<(), Failure> {
         let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
         match asked.find(|option| !self.takes_it(*option)) {
@@ -88,7 +88,8 @@ impl FormatOption {
         FormatOption::NoGuides,
     ];
 
-    /// Whether it tells what a picture shows, and how large: every picture takes it.
+    /// Returns `true` if the option only affects an image's contents and size, so that every image
+    /// format supports it.
     fn only_shows(self) -> bool {
         !matches!(
             self,

@@ -1,4 +1,4 @@
-//! A turn in pixels.
+//! Writes one turn as an animated GIF.
 
 use super::svg::unpainted;
 use super::turn::{self, RATE};
@@ -21,14 +21,14 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
     write,
 };
 
-/// Enough for a page, and a file that a mail takes.
+/// Default width in pixels: enough for a page, and small enough for an e-mail.
 const WIDTH: u16 = 800;
-/// Colours are taken from so many pictures of the turn: each hue is seen in one of them.
+/// Number of frames from which the colours are taken; each hue appears in one of them.
 const TYPICAL: usize = 4;
 
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let turn = turn::places(drawn);
-    // The last picture is the first one of the next round.
+    // The last position is the first of the next turn.
     let places = &turn[..turn.len() - 1];
     let typical = places
         .iter()
@@ -44,12 +44,12 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     painted().map_err(unpainted)
 }
 
-/// The window stands still while the linkage moves.
+/// Returns the view, which stays fixed while the linkage moves.
 fn window(drawn: &DrawnScene<'_>) -> WorldView {
     drawn.document_view(|size| drawn.whole_view(size))
 }
 
-/// The linkage at each of these places of its driver.
+/// Paints the linkage at each of these driver coordinates.
 fn pictures(
     drawn: &DrawnScene<'_>,
     canvas: &Canvas,

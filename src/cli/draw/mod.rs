@@ -1,4 +1,5 @@
-//! `krank draw`: the linkage at one coordinate of its driver, or all along its motion, in the formats of one table.
+//! `krank draw`: draws the linkage at one driver coordinate, or along its motion, in one of several
+//! formats.
 
 mod cast;
 mod dxf;
@@ -29,10 +30,10 @@ use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::wording::words;
 use crate::{Mechanism, PointId};
 
-/// Columns of a document, and the rows that it has at most.
+/// Columns of a document, and its maximum number of rows.
 const DOCUMENT_COLUMNS: u16 = 100;
 const DOCUMENT_ROWS: u16 = 50;
-/// Lines of a legend.
+/// Maximum number of lines of a legend.
 const MOST_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
@@ -62,18 +63,18 @@ pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
     nothing_hidden(&scene, &state)
 }
 
-/// A scene, ready to be drawn as it stands and wherever its driver goes.
+/// A scene with everything needed to draw it at any driver coordinate.
 struct DrawnScene<'a> {
     args: &'a DrawArgs,
     scene: &'a Scene,
     solver: &'a Solver,
-    /// The state that was asked for.
+    /// The state at the requested coordinate.
     state: &'a State,
     overlay: Overlay,
-    /// Where the linkage comes to, and where the tips of arrows do.
+    /// The extents of the linkage, and those including the tips of arrows.
     links: Reach,
     reach: Reach,
-    /// Whether something is shown that belongs to the whole motion.
+    /// `true` if the drawing shows parts of the whole motion.
     whole: bool,
 }
 
@@ -99,7 +100,7 @@ impl<'a> DrawnScene<'a> {
         }
     }
 
-    /// The linkage in a state, with what is shown beside it.
+    /// Returns the linkage in a state, with its overlay.
     fn figure(&self, state: &State) -> drawing::Figure {
         let mut figure = drawing::linkage(self.scene, &self.links, state, layers(self.args));
         self.overlay
@@ -107,15 +108,16 @@ impl<'a> DrawnScene<'a> {
         figure
     }
 
-    /// The same at another place of the motion, found in `state`.
+    /// Returns the linkage with its overlay at another coordinate, solved in `state`.
     fn figure_at(&self, at: f64, state: &mut Workspace) -> drawing::Figure {
-        // Places of the motion have a state; should one have none, what cannot be drawn is left out.
+        // Coordinates of the motion have a state. If one had none, the drawing would omit what is
+        // undefined.
         let _ = self.solver.solve(at, order(self.args), state);
         self.figure(state.state())
     }
 
-    /// Names that have come round once: they keep the sides that suit the whole motion, and stand at its end
-    /// where they stood at its beginning.
+    /// Places the labels for a whole motion: each keeps the side that suits it, and ends where it
+    /// began.
     fn settled_labels(&self, places: &[f64], view: &WorldView) -> Labels {
         let (mut labels, mut raster) = (Labels::default(), Raster::new());
         let mut state = self.solver.state();
@@ -126,7 +128,7 @@ impl<'a> DrawnScene<'a> {
         labels
     }
 
-    /// The window in which the linkage is large, and what else is shown is seen.
+    /// Returns the view that shows the linkage as large as possible, including its overlay.
     fn view(&self, Size { cols, rows }: Size) -> WorldView {
         if self.whole {
             self.whole_view(Size { cols, rows })
@@ -135,12 +137,12 @@ impl<'a> DrawnScene<'a> {
         }
     }
 
-    /// The window of the whole motion.
+    /// Returns the view of the whole motion.
     fn whole_view(&self, Size { cols, rows }: Size) -> WorldView {
         WorldView::fit(&self.reach, cols, rows, ASPECT)
     }
 
-    /// The window of a document: as large as was asked for, or as it needs.
+    /// Returns the view of a document, in the requested or the required size.
     fn document_view(&self, view: impl Fn(Size) -> WorldView) -> WorldView {
         let cols = DOCUMENT_COLUMNS;
         match self.args.size {
@@ -149,7 +151,7 @@ impl<'a> DrawnScene<'a> {
         }
     }
 
-    /// The ground of documents and pixels.
+    /// Returns the background of documents and images.
     fn ground(&self) -> SvgGround {
         match self.args.dark {
             true => SvgGround::Dark,
@@ -157,7 +159,7 @@ impl<'a> DrawnScene<'a> {
         }
     }
 
-    /// What the drawing shows, in words.
+    /// Returns the drawing's title.
     fn title(&self) -> String {
         let catalogue = Catalogue::new(self.scene);
         let unit = &catalogue.driver().unit;
@@ -165,7 +167,7 @@ impl<'a> DrawnScene<'a> {
     }
 }
 
-/// What must be solved for what is shown.
+/// Returns the order to which the scene must be solved.
 fn order(args: &DrawArgs) -> Order {
     match args.forces {
         true => Order::Force,
@@ -200,7 +202,7 @@ fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
     })
 }
 
-/// The points that an option names; without names the usual ones.
+/// Returns the points named by an option, or default points if it has no names.
 fn points(
     scene: &Scene,
     option: &str,

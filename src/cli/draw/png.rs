@@ -1,4 +1,4 @@
-//! A drawing in pixels: the SVG document, painted.
+//! Writes a drawing as a PNG image, painted from the SVG document.
 
 use super::svg::{document, unpainted};
 use super::{DrawFormat, DrawnScene, FormatOption};
@@ -15,7 +15,7 @@ pub(super) static FORMAT: DrawFormat = DrawFormat {
     write,
 };
 
-/// Enough for a slide.
+/// Default width in pixels: enough for a slide.
 const WIDTH: u16 = 1600;
 
 fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {

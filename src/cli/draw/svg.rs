@@ -1,4 +1,4 @@
-//! A drawing as an SVG document.
+//! Writes a drawing as an SVG document.
 
 use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::args::Size;
@@ -10,9 +10,9 @@ use crate::wording::Words;
 #[cfg(feature = "pictures")]
 use crate::wording::words;
 
-/// A column on paper, in millimetres: eight units at 96 to the inch.
+/// Width of a column on paper, in millimetres: eight units at 96 per inch.
 const COLUMN_ON_PAPER: f64 = 8.0 * 25.4 / 96.0;
-/// A drawing to scale has no fewer columns, and no more.
+/// Minimum and maximum number of columns of a drawing to scale.
 const LEAST_COLUMNS: f64 = 40.0;
 const MOST_COLUMNS: f64 = 1000.0;
 
@@ -38,8 +38,8 @@ pub(super) fn document(drawn: &DrawnScene<'_>) -> String {
     art.svg_on_paper(drawn.ground(), millimetres)
 }
 
-/// A window in which letters and pins are about as large on paper as on a screen, where none was asked for, and the
-/// millimetres on paper of a user unit.
+/// Returns a view in which letters and pins are about as large on paper as on a screen, unless a
+/// size was requested; and the length of a user unit on paper, in millimetres.
 fn to_scale(drawn: &DrawnScene<'_>, usual: WorldView, scale: f64) -> (WorldView, Option<f64>) {
     let paper = drawn.scene.unit.in_units_of(Unit::Millimetre) * scale;
     let per_column = |view: &WorldView| paper / view.cells_along(1.0);
@@ -54,7 +54,7 @@ fn to_scale(drawn: &DrawnScene<'_>, usual: WorldView, scale: f64) -> (WorldView,
     (view, Some(per_column(&view) / drawing::COLUMN))
 }
 
-/// Why a document did not become pixels.
+/// Converts an error of painting.
 pub(super) fn unpainted(error: PaintError) -> Failure {
     match error {
         #[cfg(feature = "pictures")]

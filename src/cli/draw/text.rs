@@ -1,4 +1,4 @@
-//! A drawing in characters.
+//! Writes a drawing in characters.
 
 use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
 use crate::cli::args::Size;
@@ -24,7 +24,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         let entries = drawn.overlay.legend(view, 1.0);
         drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
     };
-    // How many lines it takes hardly depends on their number.
+    // The number of lines hardly depends on the view's height.
     let lines = u16::try_from(legend(&view(rows)).len()).unwrap_or(0);
     let view = view(rows.saturating_sub(lines).max(1));
     let mut text = drawing::render(&drawn.figure(drawn.state), &view, glyphs).text();

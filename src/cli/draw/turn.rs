@@ -1,17 +1,18 @@
-//! A motion as it is watched: one period, or there and back between its ends.
+//! Computes the driver coordinates of an animation: one period, or there and back between the
+//! limits.
 
 use super::DrawnScene;
 use crate::angle::TURN;
 use crate::solver::Range;
 use std::f64::consts::TAU;
 
-/// Pictures in a second: enough to follow, and few enough for a file.
+/// Frames per second: enough for a smooth motion, and few enough for a file.
 pub(super) const RATE: u16 = 15;
-/// What a turn takes.
+/// Duration of a turn, in seconds.
 const SECONDS: u16 = 6;
 
-/// Where the driver stands in each picture; at the end as at the beginning. It begins at the place that is drawn,
-/// and goes calmly: how fast the mechanism is meant to run tells no eye anything.
+/// Returns the driver coordinate of each frame, starting and ending at the drawn one. The pace is
+/// slow, because the mechanism's own speed may be too fast to follow.
 pub(super) fn places(drawn: &DrawnScene<'_>) -> Vec<f64> {
     let pictures = u32::from(drawn.args.seconds.unwrap_or(SECONDS)) * u32::from(RATE);
     places_over(drawn.solver.motion().range, drawn.state.at(), pictures)
@@ -20,13 +21,13 @@ pub(super) fn places(drawn: &DrawnScene<'_>) -> Vec<f64> {
 fn places_over(range: Range, from: f64, pictures: u32) -> Vec<f64> {
     let mut places: Vec<f64> = match range {
         Range::Full { period } => {
-            // A turn takes as long whether or not the motion repeats after one.
+            // A turn has the same duration whether or not the motion repeats after one.
             let turns = (period / TURN).round().max(1.0);
             let along = |share| from + share * period;
             shares(turns * f64::from(pictures)).map(along).collect()
         }
         Range::Limited { low, high } => {
-            // As a crank would push it: slowly at the ends, where it turns round.
+            // Harmonic, as if driven by a crank: slow near the limits, where it reverses.
             let half = (high - low) / 2.0;
             let begun = ((low + half - from) / half).clamp(-1.0, 1.0).acos();
             let begun = if begun.is_finite() { begun } else { 0.0 };
@@ -40,7 +41,7 @@ fn places_over(range: Range, from: f64, pictures: u32) -> Vec<f64> {
     places
 }
 
-/// So many parts of a whole, each by what lies before it.
+/// Returns the fractions `k / count` from 0, below 1.
 fn shares(count: f64) -> impl Iterator<Item = f64> {
     let numbers = (0..u32::MAX).map(f64::from);
     numbers

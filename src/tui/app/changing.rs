@@ -1,4 +1,4 @@
-//! Another scene, or the same one in another form.
+//! Replaces the open scene by another one, or by an edited form of the same one.
 
 use super::shell::SceneBefore;
 use super::{App, Mode, View};
@@ -13,7 +13,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// Opens the preset that is so far from the present one.
+    /// Opens the preset at a distance from the current one in the list of presets.
     pub(super) fn open(&mut self, distance: isize) {
         let Some(preset) = self.player.open_scene.preset_at(distance) else {
             self.shell.say(words().no_presets());
@@ -25,7 +25,8 @@ impl App {
         }
     }
 
-    /// Another scene, paused where it opens: nothing is left of the one before.
+    /// Shows another scene, paused at its initial coordinate, and resets all state of the previous
+    /// one.
     pub(super) fn show_now(&mut self, opened: Opened) {
         self.end_comparison();
         self.let_go();
@@ -43,8 +44,8 @@ impl App {
         self.meet();
     }
 
-    /// The same scene in another form: the driver stands where it stood, as far as it can be
-    /// there, and what is looked at and chosen stays.
+    /// Replaces the scene by an edited form of it. The driver keeps its coordinate as far as the
+    /// new scene can reach it; view and selections stay.
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let before = self.player.open_scene.scene();
         self.followed = self.followed.moved(before, &opened.scene);

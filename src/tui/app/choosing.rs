@@ -1,4 +1,4 @@
-//! Choosing another assembly, and saving the one that is shown.
+//! Switches to another assembly and records it in the scene's text.
 
 use super::{App, Mode, View};
 use crate::tui::commands::action::Action;
@@ -6,7 +6,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// Lists the assemblies beside the drawing, which stands still meanwhile.
+    /// Lists the assemblies next to the drawing and pauses playback.
     pub(super) fn list_assemblies(&mut self) {
         self.player.playback.pause();
         match self.player.open_scene.look_around() {
@@ -18,7 +18,7 @@ impl App {
         }
     }
 
-    /// Takes the assembly under the cursor.
+    /// Switches to the assembly under the cursor.
     pub(super) fn take_assembly(&mut self, cursor: usize, now: Duration) {
         let Some(row) = self
             .player

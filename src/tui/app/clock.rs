@@ -1,4 +1,4 @@
-//! Time that passes: what is played moves, a study goes on, and what a state costs is measured.
+//! Advances playback, studies and cost measurements with time.
 
 use super::super::views::Need;
 use super::goal_run::GoalRun;
@@ -10,11 +10,11 @@ use std::sync::LazyLock;
 use std::time::{Duration, Instant};
 
 impl App {
-    /// Time has passed: if a frame is due, what is played moves to where it is now. A study goes on.
+    /// Advances the time: continues a study, and moves the played scene if a frame is due.
     pub(crate) fn tick(&mut self, now: Duration) {
         if self.is_working() {
             self.study_run.work();
-            // What has been measured may take fewer lines than what had not.
+            // Finished measurements may take fewer lines than pending ones.
             self.scroll_by(0);
         }
         self.now = now;
@@ -30,14 +30,15 @@ impl App {
         self.take_in(now);
     }
 
-    /// Measures what a state costs, where that is worth it.
+    /// Measures the cost of solving a state, if that is worthwhile.
     pub(crate) fn weigh(&mut self) {
         self.player.weigh(self.now);
     }
 
-    /// When to call [`App::tick`]: for the next frame, and when what is said has been read.
+    /// Returns the time of the next [`App::tick`]: for the next frame, or to remove an expired
+    /// message.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
-        // While another scene is looked for, this one waits.
+        // This scene pauses while the user picks another one.
         let frame = match self.shell.mode {
             Mode::Pick(_) => None,
             Mode::Candidates => {
@@ -59,7 +60,7 @@ impl App {
         [frame, message].into_iter().flatten().min()
     }
 
-    /// The program was stopped meanwhile: playing goes on from where it was.
+    /// Resumes playback from the same position after the process was suspended.
     pub(crate) fn wake(&mut self, now: Duration) {
         self.player.rebase(now);
         if let Some(list) = &mut self.candidates {
@@ -67,18 +68,18 @@ impl App {
         }
     }
 
-    /// Whether there is work to do between two frames, whoever waits: only while it stands.
+    /// Returns `true` if a running study needs computing time between frames while it is shown.
     pub(crate) fn is_working(&self) -> bool {
         self.study_run.phase() == Phase::Running && self.is_needed(Need::Study)
     }
 
-    /// Takes the time of studies from another clock.
+    /// Sets the clock for studies.
     pub(crate) fn set_clock(&mut self, clock: Ticker) {
         self.study_run = StudyRun::new(clock);
     }
 }
 
-/// The clock by which studies are timed.
+/// Returns the time since the first call, for timing studies.
 pub(super) fn wall_clock() -> Duration {
     static BEGUN: LazyLock<Instant> = LazyLock::new(Instant::now);
     BEGUN.elapsed()

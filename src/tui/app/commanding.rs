@@ -1,4 +1,4 @@
-//! The list of all commands: narrowing it, and doing one.
+//! Lists all commands, filters the list and runs one.
 
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::KeyContext;
@@ -8,12 +8,12 @@ use crate::tui::views::palette::list::{CommandList, Listed};
 use std::time::Duration;
 
 impl App {
-    /// Lists the commands.
+    /// Opens the list of commands.
     pub(super) fn list_commands(&mut self) {
         self.shell.mode = Mode::Palette(CommandList::new());
     }
 
-    /// Keys of the list; `None` for those that mean the same everywhere.
+    /// Handles a key of the list. Returns `None` for keys with the same meaning everywhere.
     pub(super) fn palette_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
         let Mode::Palette(palette) = &mut self.shell.mode else {
@@ -39,7 +39,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Does what the cursor is on, in the view that it belongs to.
+    /// Runs the command under the cursor in its own view, or opens the topic under the cursor.
     fn command(&mut self, now: Duration) -> Effect {
         let Mode::Palette(palette) = &self.shell.mode else {
             return Effect::Show;

@@ -1,4 +1,4 @@
-//! Comparing with another scene.
+//! Compares the open scene with another one.
 
 use super::super::Opened;
 use super::App;
@@ -8,11 +8,11 @@ use crate::tui::player::compared_scene::ComparedScene;
 use crate::tui::views::picker::list::{PickerTarget, Purpose};
 use crate::wording::words;
 
-/// What the open scene is held against.
+/// The scene compared with the open one.
 #[derive(Debug, Default)]
 pub(super) struct Comparison {
     compared: Option<ComparedScene>,
-    /// What was compared with last.
+    /// The scene of the last comparison.
     last: Option<PickerTarget>,
 }
 
@@ -23,7 +23,7 @@ impl Comparison {
 }
 
 impl App {
-    /// Asks what to compare with, or ends it.
+    /// Lets the user pick a scene to compare with, or ends a running comparison.
     pub(super) fn compare(&mut self) {
         if self.end_comparison() {
             self.sample();
@@ -35,7 +35,8 @@ impl App {
         self.list(Purpose::Compare, at);
     }
 
-    /// Holds a scene against the open one; in words why that cannot be.
+    /// Starts a comparison of the open scene with another one. Returns a message if the two cannot
+    /// be compared.
     pub(super) fn compare_with(
         &mut self,
         place: PickerTarget,
@@ -52,7 +53,8 @@ impl App {
         Ok(())
     }
 
-    /// What is compared with goes where the open scene is, or is fitted to it anew after an edit.
+    /// Moves the compared scene to the open scene's coordinate. After an edit, it is first matched
+    /// to the open scene again.
     pub(super) fn follow(&mut self) {
         let Some(mut compared) = self.comparison.compared.take() else {
             return;
@@ -69,31 +71,32 @@ impl App {
         self.scroll_by(0);
     }
 
-    /// Ends the comparison, if there is one.
+    /// Ends the comparison. Returns `true` if there was one.
     pub(super) fn end_comparison(&mut self) -> bool {
         let compared = self.comparison.compared.take().is_some();
         self.scroll_by(0);
         compared
     }
 
-    /// The scene that the open one is held against.
+    /// Returns the scene compared with the open one.
     pub(crate) fn compared(&self) -> Option<&ComparedScene> {
         self.comparison.compared()
     }
 
-    /// The columns of the tables: of figures, or while another scene is compared with, of differences.
+    /// Returns the columns of the tables: values, or differences during a comparison.
     pub(crate) fn sheet(&self) -> &Sheet {
         self.compared()
             .map_or(self.player.open_scene.sheet(), ComparedScene::sheet)
     }
 
-    /// The tables that are shown: figures, or differences.
+    /// Returns the shown tables: values, or differences during a comparison.
     pub(crate) fn tables(&self) -> &Tables {
         self.compared()
             .map_or(self.player.open_scene.tables(), ComparedScene::tables)
     }
 
-    /// What stands above tables of differences, as much of it as fits so many columns.
+    /// Returns the title above tables of differences, in a shorter form if `width` columns require
+    /// it.
     pub(crate) fn difference_title(&self, width: usize) -> Option<String> {
         let compared = self.compared()?;
         let name = compared.name();

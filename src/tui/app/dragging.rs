@@ -1,6 +1,8 @@
-//! Points that the hand takes elsewhere in the scene view: those whose places are typed there and that nothing else
-//! stands on. A pin of the ground goes by its coordinates, the free end of a link by those on its link or by the
-//! link's length.
+//! Drags points of the scene view with the mouse.
+//!
+//! Only points with coordinates in the scene's text can be dragged, and only if nothing else
+//! depends on them. A ground pin moves by its coordinates; the free end of a link moves by its
+//! coordinates on the link or by the link's length.
 
 use super::App;
 use super::pointing::Gripped;
@@ -12,29 +14,31 @@ use crate::wording::words;
 use crate::{LinkId, PointId, Vec2};
 use std::time::Duration;
 
-/// Where a point is typed. All by their names: an edit may number them anew.
+/// The values in the scene's text that determine a point's position. All are kept by name, because
+/// an edit may renumber them.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct TypedPlace {
     point: String,
-    /// The link in whose frame it is typed; none is the ground.
+    /// The link in whose frame the values are; `None` for the ground frame.
     link: Option<String>,
-    /// The values that tell it, and what of its place in that frame each is.
+    /// The values, each with the coordinate that it defines in that frame.
     values: Vec<(String, TypedCoordinate)>,
 }
 
-/// What of a place a value tells.
+/// The coordinate that a value defines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum TypedCoordinate {
-    /// A coordinate.
+    /// A Cartesian coordinate.
     Along(CoordinateAxis),
-    /// How far it is from the point that it is seen from, which lies here.
+    /// The distance from a reference point at this position.
     Length(Vec2),
-    /// In which direction it is seen from there, in degrees.
+    /// The direction seen from a reference point at this position, in degrees.
     Angle(Vec2),
 }
 
 impl TypedCoordinate {
-    /// Of a place, in the frame in which it is typed; what is next to `present` of many angles.
+    /// Returns this coordinate of `place`, given in the frame of the values. An angle is shifted by
+    /// full turns to be nearest to `present`.
     fn of(self, place: Vec2, present: f64) -> f64 {
         match self {
             TypedCoordinate::Along(CoordinateAxis::X) => place.x,
@@ -48,13 +52,14 @@ impl TypedCoordinate {
     }
 }
 
-/// In degrees.
+/// A full turn, in degrees.
 const FULL_TURN: f64 = 360.0;
-/// By how much an angle goes at once under the hand, in degrees.
+/// The step of an angle during a drag, in degrees.
 const ANGLE_STEP: f64 = 0.5;
 
 impl TypedPlace {
-    /// Where a point is typed, if it is at all.
+    /// Returns the values that determine a point's position; `None` for a point without a name, or
+    /// with neither ground nor link.
     fn of(scene: &Scene, point: PointId) -> Option<TypedPlace> {
         let name = scene.point_name(point)?.to_owned();
         let link = match scene.mechanism.point(point).ground {
@@ -64,7 +69,7 @@ impl TypedPlace {
         let called = link.map(|link| scene.link_name(link).to_owned());
         let ends = link.and_then(|link| scene.mechanism.link(link).ends);
         let values = match (&called, ends) {
-            // Where a link begins is where its frame is.
+            // A link's start point is the origin of its frame.
             (Some(_), Some((from, _))) if from == point => Vec::new(),
             (Some(link), Some((_, to))) if to == point => {
                 let along = TypedCoordinate::Along(CoordinateAxis::X);
@@ -101,7 +106,8 @@ impl TypedPlace {
 }
 
 impl App {
-    /// The point next to a place, if one is so near, that is of the ground, or of one link alone.
+    /// Returns the named point nearest to `place` within `reach`, among ground points and points of
+    /// a single link.
     pub(super) fn typed_near(&self, place: Vec2, reach: f64) -> Option<PointId> {
         let (scene, state) = (
             self.player.open_scene.scene(),
@@ -121,7 +127,7 @@ impl App {
         near.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(id, _)| id)
     }
 
-    /// The cursor goes to the first value of a point: an edit of its own begins.
+    /// Moves the cursor to the first value of a point and starts a new edit.
     pub(super) fn take_point(&mut self, point: PointId) {
         let Some(typed) = TypedPlace::of(self.player.open_scene.scene(), point) else {
             return;
@@ -141,12 +147,12 @@ impl App {
             self.say_what_it_follows_from(&value);
             return;
         }
-        // The cursor may have been there.
+        // The cursor may already have been on this value.
         editor.history.part();
         self.shell.grip = Gripped::Point(typed);
     }
 
-    /// What tells the point follows the mouse, by multiples of the step that fits the first value.
+    /// Moves a point's values to the mouse position, in multiples of the editor's step.
     pub(super) fn drag_point(&mut self, typed: &TypedPlace, place: Vec2, now: Duration) {
         let open_scene = &self.player.open_scene;
         let link = typed.link.as_deref();
@@ -168,7 +174,7 @@ impl App {
     }
 }
 
-/// From where on its link a point is seen that is typed by length and angle.
+/// Returns the reference point, in the link's frame, of a point given by length and angle.
 fn seen(scene: &Scene, link: Option<LinkId>, point: PointId) -> Option<Vec2> {
     let link = scene.mechanism.link(link?);
     let polar = link.member(point)?.polar?;
@@ -178,13 +184,13 @@ fn seen(scene: &Scene, link: Option<LinkId>, point: PointId) -> Option<Vec2> {
     }
 }
 
-/// Whether a point is the centre of mass of a link, and nothing that is gripped.
+/// Returns `true` if a point is the centre of mass of a link, which cannot be dragged.
 fn is_centre(scene: &Scene, point: PointId) -> bool {
     let mut links = scene.mechanism.links().iter();
     links.any(|link| link.com == Some(point))
 }
 
-/// A place of the drawing in the frame of a link as it stands now, or in that of the ground.
+/// Transforms a position of the drawing to the current frame of a link, or to the ground frame.
 fn in_frame(scene: &Scene, state: &State, link: Option<&str>, place: Vec2) -> Option<Vec2> {
     let Some(link) = link else {
         return Some(place);
@@ -192,13 +198,13 @@ fn in_frame(scene: &Scene, state: &State, link: Option<&str>, place: Vec2) -> Op
     let named = |id: &LinkId| scene.link_name(*id) == link;
     let id = scene.mechanism.link_ids().find(named)?;
     let x = state.direction(id)?;
-    // From a point that the link has there: it need have none where its frame begins.
+    // Uses a point that the link has in this state: the frame's origin may carry no point.
     let member = scene.mechanism.link(id).members.first()?;
     let away = place - state.position(member.point)?;
     Some(member.local + Vec2::new(away.dot(x), x.cross(away)))
 }
 
-/// The text of a value at the multiple of `step` that is next to `to`.
+/// Returns a value's text after a move by a multiple of `step` to the nearest position to `to`.
 fn moved_to(value: &Value, to: f64, step: f64) -> Option<String> {
     let present: f64 = value.text().parse().ok()?;
     let steps = ((to - present) / step).round();

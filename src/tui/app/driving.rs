@@ -1,4 +1,4 @@
-//! Moving the driver: to a coordinate, or by steps.
+//! Moves the driver to a coordinate or by steps.
 
 use super::{App, Mode};
 use crate::scene::with_point;
@@ -9,7 +9,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// A coordinate was typed: the driver goes there, or the line stays to be corrected.
+    /// Moves the driver to the typed coordinate, or keeps the line for correction.
     pub(super) fn accept_coordinate(&mut self, line: &EditLine, now: Duration) {
         match line.number(self.player.open_scene.unit()) {
             Some(at) => {
@@ -28,7 +28,7 @@ impl App {
         }
     }
 
-    /// Goes to a coordinate, if it can be reached; says so if not.
+    /// Moves the driver to a coordinate and returns `true`, or reports that it is out of reach.
     pub(super) fn jump(&mut self, at: f64, now: Duration) -> bool {
         let reached = self.player.jump(at, now);
         let open_scene = &self.player.open_scene;
@@ -37,7 +37,7 @@ impl App {
             Ok(reached) if reached == at => return true,
             Ok(reached) => words().taken_as(&coordinate(reached, decimals), unit),
             Err(OutOfRange { low, high }) => {
-                // Rounded inwards: what is said can be reached.
+                // Rounded inwards, so that the reported limits can be reached.
                 let scale = 10.0_f64.powi(i32::try_from(decimals).unwrap_or(0));
                 let low = coordinate((low * scale).ceil() / scale, decimals);
                 let high = coordinate((high * scale).floor() / scale, decimals);
@@ -48,7 +48,7 @@ impl App {
         reached.is_ok()
     }
 
-    /// Moves on by a step, as far as the motion goes.
+    /// Moves the driver by a step, as far as the motion permits.
     pub(super) fn step(&mut self, by: f64, now: Duration) {
         if !self.player.step(by, now) {
             self.shell.say(words().motion_ends());

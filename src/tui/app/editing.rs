@@ -1,5 +1,5 @@
-//! Editing the scene: a value is typed or moved, its text is changed, and what that makes of the linkage
-//! is shown at once, or said why it cannot be.
+//! Edits the scene: values are typed or nudged, the text is changed, and the linkage is solved
+//! again at once.
 
 use super::super::views::Need;
 use super::shell::SceneBefore;
@@ -14,7 +14,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// What the scene view alone can do.
+    /// Handles the actions of the scene view.
     pub(super) fn edit(&mut self, action: SceneAction, now: Duration) {
         match action {
             SceneAction::Edit => self.type_value(),
@@ -33,7 +33,7 @@ impl App {
         }
     }
 
-    /// Another value was typed: it is taken, or the line stays to be corrected.
+    /// Applies the typed value, or keeps the line for correction.
     pub(super) fn take_value(&mut self, typed: &str, now: Duration) {
         let Some(value) = self.document.editor.value().cloned() else {
             return;
@@ -79,7 +79,8 @@ impl App {
         );
     }
 
-    /// What follows from a formula is not moved: what it is made of can be.
+    /// Reports the formula and parameters that determine a value, because the value itself cannot
+    /// be moved.
     pub(super) fn say_what_it_follows_from(&mut self, value: &Value) {
         let Some(formula) = &value.formula else {
             return;
@@ -91,12 +92,14 @@ impl App {
         });
     }
 
-    /// Puts another text in the place of a value; false, and said why, where the scene cannot be so.
+    /// Replaces the text of a value. If the scene would be invalid, reports why and returns
+    /// `false`.
     pub(super) fn put(&mut self, value: &Value, text: String, deed: Deed, now: Duration) -> bool {
         self.put_all(vec![(value.clone(), text)], deed, now)
     }
 
-    /// Puts other texts in the places of some values, all in one edit.
+    /// Replaces the texts of several values in one edit. If the scene would be invalid, reports why
+    /// and returns `false`.
     pub(super) fn put_all(
         &mut self,
         texts: Vec<(Value, String)>,
@@ -115,7 +118,7 @@ impl App {
             return true;
         }
         self.say_what_is_shown();
-        // That may have moved them in the text.
+        // Recording the shown assembly may have moved the values in the text.
         let there = |(value, text): (Value, String)| {
             Some((self.document.editor.named(&value.name)?.clone(), text))
         };
@@ -123,7 +126,7 @@ impl App {
             return false;
         };
         let whole = self.player.open_scene.scene().with_values(&changed);
-        // Who moves a start means another assembly.
+        // A changed start value selects another assembly.
         let reopens = changed
             .iter()
             .any(|(value, _)| value.measure == Measure::Start);
@@ -151,14 +154,14 @@ impl App {
         }
     }
 
-    /// Whether a value is where the driver opens: then the linkage follows it there.
+    /// Returns `true` if a value is the driver's initial coordinate; the linkage then follows it.
     fn is_opening(&self, value: &Value) -> bool {
         let key = coordinate_key(&self.player.open_scene.scene().mechanism);
         value.name.strip_prefix("driver ") == Some(key)
     }
 
-    /// Before the first change: where the command line has chosen another assembly than the text says, the
-    /// text is brought up to date first, as a step of its own.
+    /// Records the shown assembly in the text before the first edit, if the command line chose
+    /// another one than the text. The record is an edit of its own.
     fn say_what_is_shown(&mut self) {
         if self.document.editor.history.is_empty()
             && !edited::says_what_is_shown(&self.player.open_scene)
@@ -167,7 +170,7 @@ impl App {
         }
     }
 
-    /// The text says from now on which assembly is shown; false where no text can.
+    /// Records the shown assembly in the scene's text. Returns `false` if no text can express it.
     pub(super) fn record_assembly(&mut self, name: &str) -> bool {
         let before = self.player.open_scene.scene().text().to_owned();
         let told = self.player.open_scene.saved_text();
@@ -186,14 +189,14 @@ impl App {
         true
     }
 
-    /// The scene is another one now, by a deed that can be taken back.
+    /// Replaces the scene by an edited one and records the edit for undo.
     pub(super) fn change(&mut self, edited: Edited, deed: Deed, now: Duration) {
         let before = self.player.open_scene.scene().text();
         let after = edited.opened.scene.text();
         let goes_on = self.document.editor.history.record(before, after, deed);
         let first = self.shell.before.take().filter(|_| goes_on);
         self.take_edit(edited, now);
-        // What was before the first of several steps of one edit stays.
+        // Several steps of one edit keep the scene from before the first of them.
         if let Some(SceneBefore { open_scene, .. }) = first {
             self.shell.before = Some(SceneBefore {
                 open_scene,
@@ -202,7 +205,7 @@ impl App {
         }
     }
 
-    /// Shows an edited scene where the driver stands, as far as it gets there.
+    /// Shows an edited scene at the driver's coordinate, as far as the scene can reach it.
     fn take_edit(&mut self, edited: Edited, now: Duration) {
         let at = self.player.open_scene.at();
         self.exchange(edited.opened, now);
@@ -220,14 +223,14 @@ impl App {
         self.keep();
     }
 
-    /// Lists the values again, while they are looked at.
+    /// Lists the values again, if a view needs them.
     pub(super) fn relist(&mut self) {
         if self.is_needed(Need::Values) {
             self.document.editor.list(self.player.open_scene.scene());
         }
     }
 
-    /// Takes an edit back, or makes it again.
+    /// Undoes or redoes an edit.
     pub(super) fn edit_history(&mut self, action: Action, now: Duration) {
         let is_undo = action == Action::Undo;
         if is_undo && self.bring_gathered_back() {
@@ -263,7 +266,7 @@ impl App {
                     true => words().undone(&name),
                     false => words().redone(&name),
                 };
-                // That the driver could not stay is worth saying too.
+                // Keeps the message that the driver had to move.
                 let more = self
                     .shell
                     .message
@@ -271,7 +274,7 @@ impl App {
                     .map_or(String::new(), |m| format!("; {m}"));
                 self.shell.say(format!("{said}{more}"));
             }
-            // Every text of the history was opened before.
+            // Not expected: every text of the history was opened before.
             Err(why) => self.shell.say(format!("{name}: {why}")),
         }
     }

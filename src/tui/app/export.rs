@@ -1,4 +1,4 @@
-//! Taking figures and pictures out of the workbench.
+//! Exports values, drawings, screens and reports.
 
 use super::super::views::{self, Copied};
 use super::{App, Effect, Mode};
@@ -29,7 +29,7 @@ impl App {
         Effect::Show
     }
 
-    /// What moves stands still for a picture, and the terminal must be one that shows it.
+    /// Pauses playback and requests a pixel image, or reports why the terminal cannot show one.
     fn ask_for_still(&mut self) -> Effect {
         match &self.shell.pictures.value {
             Some(_) => {
@@ -43,22 +43,22 @@ impl App {
         }
     }
 
-    /// How the terminal is sent pictures, if it is.
+    /// Returns the terminal's image protocol, if it has one.
     pub(crate) fn pictures(&self) -> Option<PictureProtocol> {
         self.shell.pictures.value
     }
 
-    /// Sends pictures in this way from now on.
+    /// Sets the terminal's image protocol.
     pub(crate) fn send_pictures(&mut self, pictures: Detected<Option<PictureProtocol>>) {
         self.shell.pictures = pictures;
     }
 
-    /// What became of the picture that was asked for.
+    /// Reports the outcome of sending an image.
     pub(crate) fn tell_of_still(&mut self, message: String) {
         self.shell.say(message);
     }
 
-    /// Copies what the view shows; of the tables it asks how much.
+    /// Copies what the view shows; in the tables, first asks how much of them to copy.
     fn copy(&mut self) -> Effect {
         if !self.shell.capability.modern {
             self.shell.say(self.mended(words().no_clipboard().into()));
@@ -78,7 +78,8 @@ impl App {
         Effect::Show
     }
 
-    /// Keys that answer how much of the tables is copied; `None` for those that mean the same everywhere.
+    /// Handles the keys that choose how much of the tables to copy. Returns `None` for keys with
+    /// the same meaning everywhere.
     pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
         let text = match key {
             Key::Char('v') => self.shown().value(self.cursor),
@@ -95,7 +96,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// The tables as they are seen: figures, or differences.
+    /// Returns the tables as shown: values or differences.
     pub(crate) fn shown(&self) -> ShownTables<'_> {
         ShownTables {
             sheet: self.sheet(),
@@ -104,7 +105,7 @@ impl App {
         }
     }
 
-    /// Sends a text to the clipboard. Nothing tells whether it arrived.
+    /// Sends a text to the clipboard. The terminal does not confirm its arrival.
     fn send(&mut self, text: &str) -> Effect {
         match clipboard::sequence(text) {
             Ok(bytes) => {
@@ -118,7 +119,8 @@ impl App {
         }
     }
 
-    /// Why nothing can be copied, and what to do then: `: use Y`, which writes a file.
+    /// Appends the alternative to a message that copying is impossible: `: use Y`, which writes a
+    /// file.
     fn mended(&self, why: String) -> String {
         match self.shell.keymap.key(Action::Csv) {
             Some(key) => words().use_instead(&why, &key),
@@ -126,8 +128,8 @@ impl App {
         }
     }
 
-    /// Asks where to write the figures as they are now, or what is plotted over the motion; of a view that is read
-    /// all of its lines.
+    /// Asks for a file for the current values or the plotted curves; in a view of text lines, for
+    /// all its lines.
     fn ask_for_csv(&mut self) {
         if let Some((what, page)) = self.shell.view.pane().page(self) {
             let text = Text::of_page(what, page, self.row_of_sweep().ok());
@@ -138,7 +140,7 @@ impl App {
         self.offer_file(text, words().the_figures(), "csv");
     }
 
-    /// Asks for the name of a file for a text, or says why there is none.
+    /// Asks for the name of a text file, or reports why there is no text.
     fn offer_file(&mut self, text: Result<String, String>, what: &str, ending: &str) {
         match text {
             Ok(text) => {
@@ -151,11 +153,11 @@ impl App {
         }
     }
 
-    /// All figures here, as a sweep of one row has them.
+    /// Formats all values at the current position as a sweep of one row.
     pub(crate) fn row_of_sweep(&self) -> Result<String, String> {
         let open_scene = &self.player.open_scene;
         let scene = open_scene.scene();
-        // In the motion over time that it has a row is told by its time.
+        // Over time, the row is identified by its time instead of the coordinate.
         let time = open_scene
             .time()
             .and_then(|time| Some((time, Clock::of(scene)?)));
@@ -183,12 +185,12 @@ impl App {
         String::from_utf8(text).map_err(|e| e.to_string())
     }
 
-    /// Asks where to write the screen as it was when the key was pressed.
+    /// Asks for a file for the screen as it was when the key was pressed.
     pub(crate) fn ask_for_picture(&mut self, text: String) {
         self.offer_file(Ok(text), words().the_screen(), "txt");
     }
 
-    /// Asks where to write the drawing, or the plot, as it is seen.
+    /// Asks for an SVG file of the drawing or plot as shown.
     fn ask_for_svg(&mut self) {
         match self.shell.view.pane().svg(self) {
             Ok((what, text)) => self.offer_file(Ok(text), what, "svg"),
@@ -196,7 +198,8 @@ impl App {
         }
     }
 
-    /// Asks where to write a report on the linkage as it stands; the ending of the name says how.
+    /// Asks for a file for a report on the linkage at its current position. The file name's
+    /// extension selects the format.
     fn ask_for_report(&mut self) {
         let open_scene = &self.player.open_scene;
         let (scene, solver) = (open_scene.scene(), open_scene.solver());
@@ -212,8 +215,8 @@ impl App {
         self.ask_for_file(SavedContent::Text(text), &proposal);
     }
 
-    /// The name of a file for what is seen here: `four-bar-60.csv`, or for the whole motion
-    /// `four-bar-plot.csv`.
+    /// Proposes a file name, such as `four-bar-60.csv`, or `four-bar-plot.csv` for the whole
+    /// motion.
     fn proposal(&self, ending: &str) -> String {
         let stem = match self.player.open_scene.origin() {
             Origin::Preset(name) | Origin::New(name) => Some(name.clone()),

@@ -1,4 +1,4 @@
-//! The scene and its file: reading again what somebody else has written.
+//! Watches the scene's file and rereads it after changes by other programs.
 
 use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
@@ -21,32 +21,34 @@ impl Client for App {
 }
 
 impl App {
-    /// Does what follows from what was done to files meanwhile.
+    /// Handles the results of finished file operations and returns the resulting effect.
     pub(crate) fn attend(&mut self, now: Duration) -> Effect {
         self.take_in(now);
         self.settle(Effect::Show)
     }
 
-    /// The same where nobody can be told that the program is to be left after it: the next who attends is.
+    /// Handles the results of finished file operations where the caller cannot quit the program. A
+    /// pending quit is left to the next call that can.
     pub(super) fn take_in(&mut self, now: Duration) {
         while let Some(then) = self.clerk.next() {
             then(self, now);
         }
     }
 
-    /// The file of the scene is watched from now on.
+    /// Starts watching the scene's file.
     pub(super) fn watch(&mut self) {
         let origin = self.player.open_scene.origin();
         self.document.belong_to(origin);
         self.look_at_file(self.now, true);
     }
 
-    /// The file to watch.
+    /// Returns the watched file.
     pub(crate) fn watched(&self) -> Option<&Path> {
         self.document.watched()
     }
 
-    /// Looks whether somebody else has written the file: at once where that was told, else after a while.
+    /// Checks whether another program has written the file: immediately if `at_once`, or else when
+    /// the next check is due.
     pub(crate) fn look_at_file(&mut self, now: Duration, at_once: bool) {
         let look = self
             .document
@@ -61,8 +63,8 @@ impl App {
         }
     }
 
-    /// The file was looked at. Nothing follows while something is asked or typed: the next look after it
-    /// will tell.
+    /// Handles the outcome of a file check. It is ignored while a prompt is open or a save is
+    /// running; the next check reports it.
     fn see(&mut self, seen: SeenFile, now: Duration) {
         let is_free = self.shell.mode == Mode::Normal && !self.document.storing;
         let Some(disk) = self
@@ -99,7 +101,7 @@ impl App {
         }
     }
 
-    /// Reads the file again because that was asked for; over unsaved edits if they may go.
+    /// Rereads the file on request; replaces unsaved edits only if `over`.
     pub(super) fn reload(&mut self, over: bool) {
         let Origin::File(path) = self.player.open_scene.origin().clone() else {
             self.shell.say(words().no_file_to_read());
@@ -120,7 +122,7 @@ impl App {
                 self.ask_about_edits(Unsaved::Reload);
             }
             News::Written(bytes) => self.read_in(&bytes, &name, now),
-            // A file that is gone is no danger to the edits.
+            // A deleted file does not endanger the edits.
             News::Gone => self.tell_gone(&name),
             News::Unreadable(error) => {
                 self.shell.say(words().name_cannot_be_read(&name, &error));
@@ -133,8 +135,8 @@ impl App {
         self.shell.say(words().file_is_gone(name, &key));
     }
 
-    /// Shows what the file holds now; what is broken leaves the last good state on the screen. The edits
-    /// before it can be had back by taking this one back.
+    /// Shows the file's new contents as an edit that can be undone. If they are invalid, the last
+    /// valid scene stays on the screen.
     fn read_in(&mut self, bytes: &[u8], name: &str, now: Duration) {
         let origin = self.player.open_scene.scene().origin().to_owned();
         let scene = Scene::read(bytes, &origin);

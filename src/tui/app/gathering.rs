@@ -1,4 +1,4 @@
-//! Edits that are gathered, to be made together: neither of two may close without the other.
+//! Stages edits and applies them together, for changes that close the linkage only in combination.
 
 use super::{App, Mode, View};
 use crate::scene::Value;
@@ -9,7 +9,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// Gathers edits from now on, or makes those that were gathered, as one.
+    /// Starts staging edits, or applies the staged edits as one.
     pub(super) fn gather(&mut self, now: Duration) {
         let Some(gathered) = self.document.editor.gathered.take() else {
             self.document.editor.gathered = Some(GatheredEdits::default());
@@ -25,7 +25,7 @@ impl App {
         let deed = Deed::Other(names.join(", "));
         let count = texts.len();
         if !self.put_all(texts, deed, now) {
-            // They wait on, to be corrected.
+            // The rejected edits stay staged, to be corrected.
             self.document.editor.gathered = Some(gathered);
         } else if self.shell.message.is_none() {
             self.shell.say(words().gathered_made(count));
@@ -38,7 +38,7 @@ impl App {
         self.shell.say(words().edits_wait(&key));
     }
 
-    /// Another text waits for a value, where edits are gathered; false where they are not.
+    /// Stages another text for a value. Returns `false` if no staging is active.
     pub(super) fn put_by(&mut self, value: &Value, text: String) -> bool {
         let Some(gathered) = &mut self.document.editor.gathered else {
             return false;
@@ -48,7 +48,7 @@ impl App {
         true
     }
 
-    /// Edits of an earlier session wait as they did there, where they are made from.
+    /// Restores the staged edits of an earlier session and opens the scene view.
     pub(super) fn let_wait(&mut self, edits: GatheredEdits) {
         if edits.is_empty() {
             return;
@@ -59,13 +59,13 @@ impl App {
         self.say_that_edits_wait();
     }
 
-    /// Whether edits wait to be made together.
+    /// Returns `true` if staged edits are pending.
     pub(super) fn is_waiting(&self) -> bool {
         let gathered = self.document.editor.gathered.as_ref();
         gathered.is_some_and(|gathered| !gathered.is_empty())
     }
 
-    /// Whether edits wait to be made together; then that is said. What follows from the text has to wait too.
+    /// Returns `true` and reports it if staged edits block an action that depends on the text.
     pub(super) fn is_held_up(&mut self, action: Action) -> bool {
         let waits = self.is_waiting();
         let takes_text = matches!(
@@ -87,7 +87,7 @@ impl App {
         is_held_up
     }
 
-    /// The edits that wait are dropped, until they are asked back; false where none were to wait.
+    /// Drops the staged edits; undo restores them. Returns `false` if no staging was active.
     pub(super) fn drop_gathered(&mut self) -> bool {
         let text = self.player.open_scene.scene().text();
         let Some(dropped) = self.document.editor.drop_gathered(text) else {
@@ -101,8 +101,8 @@ impl App {
         true
     }
 
-    /// Edits that were dropped wait again, as far as nothing was edited since that is to be taken back first;
-    /// false where there are none.
+    /// Restores dropped staged edits. Returns `false` if there are none, or if a later edit must be
+    /// undone first.
     pub(super) fn bring_gathered_back(&mut self) -> bool {
         let text = self.player.open_scene.scene().text();
         let is_back = self.document.editor.bring_gathered_back(text);

@@ -1,4 +1,4 @@
-//! Designs for a goal: being looked for, then gone through.
+//! Searches designs for a goal and browses the results.
 
 use crate::report::GoalReport;
 use crate::scene::Value;
@@ -10,14 +10,15 @@ use crate::tui::figures::format::coordinate;
 use crate::wording::words;
 use std::sync::Arc;
 
-/// From how many places beside the given one designs are looked for, and from which chance: as `krank solve` has them.
+/// Number of random starting points in addition to the given design, and their seed, as in
+/// `krank solve`.
 const STARTS: u32 = 24;
 const SEED: u64 = 1;
-/// Digits of what is found, and decimals of what is said of it.
+/// Significant digits of a found value, and decimals in messages.
 const DIGITS: i32 = 12;
 const DECIMALS: usize = 3;
 
-/// What is wished, as it was typed and read.
+/// A parsed request for designs that meet goals, with its typed text.
 #[derive(Clone, Debug)]
 pub(crate) struct GoalWish {
     pub(super) typed: String,
@@ -26,26 +27,26 @@ pub(crate) struct GoalWish {
     pub(super) space: DesignSpace,
 }
 
-/// What a search for a wish has come to.
+/// The result of a search.
 #[derive(Debug)]
 pub(super) struct GoalFinding {
     outcome: SearchOutcome,
-    /// Why the given design has not all of the figures, in words.
+    /// Messages on why values are missing for the given design.
     lacks: Vec<String>,
 }
 
-/// Designs for a wish.
+/// A search for designs and its result.
 #[derive(Debug)]
 pub(crate) struct GoalRun {
     pub(super) wish: GoalWish,
     progress: Arc<SearchProgress>,
     found: Option<GoalFinding>,
-    /// Which design is looked at.
+    /// The index of the selected design.
     cursor: usize,
 }
 
 impl GoalWish {
-    /// Looks for designs on so many threads, which may take long.
+    /// Searches designs on a number of threads. This may take long.
     pub(super) fn search(&self, threads: usize, progress: &SearchProgress) -> GoalFinding {
         let figures = self.goals.iter().map(|goal| goal.figure.clone());
         let mut figures = DesignFigures::new(&self.space, figures.collect(), None);
@@ -64,7 +65,7 @@ impl GoalWish {
 }
 
 impl GoalRun {
-    /// Of a wish whose designs are still to be looked for.
+    /// Creates a run whose search has not finished.
     pub(super) fn new(wish: GoalWish) -> GoalRun {
         GoalRun {
             wish,
@@ -78,23 +79,23 @@ impl GoalRun {
         &self.progress
     }
 
-    /// What of the search is done, in percent; `None` where it has come to its end.
+    /// Returns the progress of the search in percent; `None` once it has finished.
     pub(crate) fn percent(&self) -> Option<u32> {
         self.found.is_none().then(|| self.progress.percent())
     }
 
-    /// The search has come to its end.
+    /// Stores the result of the finished search.
     pub(super) fn take(&mut self, found: GoalFinding) {
         self.found = Some(found);
     }
 
-    /// How many designs meet the goal.
+    /// Returns the number of designs that meet the goal.
     pub(super) fn count(&self) -> usize {
         let found = self.found.as_ref();
         found.map_or(0, |found| found.outcome.solutions.len())
     }
 
-    /// Looks at another design, as far as there is one.
+    /// Selects the next or previous design, if there is one.
     pub(super) fn step(&mut self, forward: bool) {
         let most = self.count().saturating_sub(1);
         let next = self
@@ -107,13 +108,13 @@ impl GoalRun {
         self.found.as_ref()?.outcome.solutions.get(self.cursor)
     }
 
-    /// The values of the design that is looked at, and what they become.
+    /// Returns the scene's values, each with its text in the selected design.
     pub(super) fn texts(&self) -> Option<Vec<(Value, String)>> {
         Some(texts(self.wish.space.values(), self.chosen()?))
     }
 
-    /// The design that is looked at, in a line: which it is, its values, and its motion if that is of another kind than
-    /// that of the given one.
+    /// Describes the selected design in a line: its number, its values, and its motion if that
+    /// differs in kind from the given design's.
     pub(crate) fn line(&self) -> Option<String> {
         let told = words().design_of(self.cursor + 1, self.count(), &told_values(&self.texts()?));
         let outcome = &self.found.as_ref()?.outcome;
@@ -123,20 +124,20 @@ impl GoalRun {
         Some(told.into_iter().flatten().collect::<Vec<_>>().join(" - "))
     }
 
-    /// The motion of the design that is looked at, if it is of another kind than that of the given one.
+    /// Describes the motion of the selected design, if its kind differs from the given design's.
     fn motion(&self) -> Option<String> {
         let found = self.chosen().filter(|found| !found.moves_as_given)?;
         let motion = crate::report::motion_text(&found.design.scene, &found.design.solver);
         Some(words().moves_otherwise_as(&motion))
     }
 
-    /// That the design that is looked at meets the goal.
+    /// Returns a message that the selected design meets the goal.
     pub(super) fn is_met(&self) -> Option<String> {
         let told = words().goal_is_met(&told_values(&self.texts()?));
         Some(told + &self.motion().map_or(String::new(), |m| format!(" - {m}")))
     }
 
-    /// Why there is no design, and how near one comes.
+    /// Returns a message on why there is no design, with the nearest miss.
     pub(super) fn not_met(&self) -> String {
         let Some(found) = &self.found else {
             return String::new();
@@ -152,7 +153,7 @@ impl GoalRun {
     }
 }
 
-/// The values of a design, and what they become.
+/// Pairs the scene's values with their texts in a design.
 fn texts(values: &[Value], design: &FoundDesign) -> Vec<(Value, String)> {
     let pairs = values.iter().zip(&design.numbers);
     let text =
@@ -160,7 +161,7 @@ fn texts(values: &[Value], design: &FoundDesign) -> Vec<(Value, String)> {
     pairs.map(text).collect()
 }
 
-/// Values and what they become, in words.
+/// Formats values and their new texts as a list.
 fn told_values(texts: &[(Value, String)]) -> String {
     let all = texts
         .iter()
@@ -168,7 +169,7 @@ fn told_values(texts: &[(Value, String)]) -> String {
     all.collect::<Vec<_>>().join(", ")
 }
 
-/// The figures of a design that misses its goals.
+/// Formats the target quantities of a design that misses its goals.
 fn told_figures(goals: &[Goal], design: &FoundDesign) -> String {
     let pairs = goals.iter().zip(&design.figures);
     let figures = pairs.filter_map(|(goal, figure)| {
@@ -179,7 +180,7 @@ fn told_figures(goals: &[Goal], design: &FoundDesign) -> String {
     figures.collect::<Vec<_>>().join(", ")
 }
 
-/// A number to so many digits: what lies behind them changes no goal.
+/// Rounds a number to the significant digits of a found value. Smaller changes do not affect a goal.
 fn to_digits(number: f64) -> f64 {
     let places = usize::try_from(DIGITS - 1).unwrap_or(0);
     format!("{number:.places$e}").parse().unwrap_or(number)

@@ -1,4 +1,4 @@
-//! Goals: values of the scene are found that meet them, gone through where there are several, and put as one edit.
+//! Finds values of the scene that meet typed goals and applies a chosen solution as one edit.
 
 use super::goal_run::{GoalRun, GoalWish};
 use super::{App, Effect, Mode};
@@ -20,12 +20,12 @@ impl App {
         }
     }
 
-    /// Designs for a goal, while they are looked for or gone through.
+    /// Returns the designs for a goal, while they are searched or browsed.
     pub(crate) fn goal_run(&self) -> Option<&GoalRun> {
         self.goal_run.as_ref()
     }
 
-    /// Goals were typed: designs that meet them are looked for, apart from the screen.
+    /// Parses the typed goals and starts a background search for designs that meet them.
     pub(super) fn take_goal(&mut self, typed: &str) {
         if typed.trim().is_empty() {
             self.shell.mode = Mode::Normal;
@@ -42,7 +42,7 @@ impl App {
         self.clerk.search(move || {
             let found = wish.search(parallel::cores(), &progress);
             Box::new(move |app, now| {
-                // It may have been left, and another one begun meanwhile.
+                // The user may have left this search and started another one.
                 let is_awaited = app.shell.mode == Mode::GoalRun;
                 let own = |run: &&mut GoalRun| is_awaited && Arc::ptr_eq(run.progress(), &progress);
                 if let Some(run) = app.goal_run.as_mut().filter(own) {
@@ -54,8 +54,8 @@ impl App {
         self.take_in(self.now);
     }
 
-    /// A search has come to its end: one design is taken, of several one is chosen, and where there is none the goal may
-    /// be typed otherwise.
+    /// Handles the end of a search: applies a single design, lets the user choose among several, or
+    /// reopens the typed goal if there is none.
     fn see_goal_run(&mut self, now: Duration) {
         let Some(run) = &self.goal_run else {
             return;
@@ -71,7 +71,7 @@ impl App {
         }
     }
 
-    /// Takes the design that is looked at, as one edit.
+    /// Applies the selected design as one edit.
     fn take_design(&mut self, now: Duration) {
         let Some(run) = self.goal_run.take() else {
             return;
@@ -87,7 +87,8 @@ impl App {
         }
     }
 
-    /// Keys while designs are looked for or gone through; `None` for those that mean the same everywhere.
+    /// Handles a key while designs are searched or browsed. Returns `None` for keys with the same
+    /// meaning everywhere.
     pub(super) fn goal_run_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         self.shell.message = None;
         let run = self.goal_run.as_mut()?;
@@ -115,7 +116,8 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Goals, divided by `;`, and behind `by` the values; without it the one under the cursor.
+    /// Parses goals separated by `;`, with the values to vary after `by`. Without `by`, the value
+    /// under the cursor is varied.
     fn wish(&self, typed: &str) -> Result<GoalWish, String> {
         let (goals, names) = match typed.split_once(" by ") {
             Some((goals, names)) => (goals, Some(names)),

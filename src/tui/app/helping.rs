@@ -1,11 +1,11 @@
-//! The help, turning its pages, and searching it.
+//! Opens the help, turns its pages and searches it.
 
 use super::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::text::Help;
 
 impl App {
-    /// Shows the help, or takes it away.
+    /// Opens or closes the help.
     pub(super) fn toggle_help(&mut self) {
         self.shell.mode = match self.shell.mode {
             Mode::Help(_) => self.below(),
@@ -14,7 +14,7 @@ impl App {
         };
     }
 
-    /// What is seen again when what lies over it is left.
+    /// Returns the mode to restore when an overlay closes.
     pub(super) fn below(&self) -> Mode {
         match &self.shell.mode {
             Mode::Help(help) if help.over_candidates => Mode::Candidates,
@@ -22,14 +22,14 @@ impl App {
         }
     }
 
-    /// The topic that is shown has the width of the screen.
+    /// Wraps the shown topic to the screen's width.
     pub(super) fn lay_out_help(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode {
             help.lay_out(self.shell.size.width, &self.shell.keymap);
         }
     }
 
-    /// Keys of the line in which words are typed; `None` for those that mean the same everywhere.
+    /// Handles a key of the search line. Returns `None` for keys with the same meaning everywhere.
     pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
         let (columns, keymap) = (self.shell.size.width, &self.shell.keymap);
         let Mode::Help(help) = &mut self.shell.mode else {

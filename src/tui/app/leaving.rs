@@ -1,42 +1,42 @@
-//! Leaving the program, or the scene for another: what is unsaved is asked about first.
+//! Quits the program or replaces the scene, with a prompt about unsaved edits.
 
 use super::super::Opened;
 use super::{App, Effect, Mode};
 use crate::tui::commands::key::Key;
 use std::time::Duration;
 
-/// A question about unsaved edits.
+/// A prompt about unsaved edits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Unsaved {
-    /// Before the program is left.
+    /// Before quitting the program.
     Quit,
-    /// Before another scene takes the place of this one.
+    /// Before showing another scene.
     Open,
-    /// Before the file is read again.
+    /// Before rereading the file.
     Reload,
 }
 
-/// What is to be done once nothing is unsaved.
+/// The action to run once all edits are saved or discarded.
 #[derive(Debug)]
 pub(crate) enum Pending {
-    /// The program is left.
+    /// Quit the program.
     Quit,
-    /// Another scene is shown.
+    /// Show another scene.
     Show(Box<Opened>),
 }
 
 impl App {
-    /// Whether something was edited that no file holds, be it made or not.
+    /// Returns `true` if there are applied or staged edits that no file holds.
     pub(super) fn has_edits(&self) -> bool {
         self.is_changed() || self.is_waiting()
     }
 
-    /// Whether something would be lost with the scene.
+    /// Returns `true` if closing the scene would lose something.
     fn would_lose(&self) -> bool {
         self.is_unsaved() || self.is_waiting()
     }
 
-    /// Leaves, or asks first where something would be lost.
+    /// Quits, or asks first if something would be lost.
     pub(super) fn quit(&mut self) -> Effect {
         if !self.would_lose() {
             return Effect::Quit;
@@ -47,7 +47,7 @@ impl App {
         Effect::Show
     }
 
-    /// Shows another scene, or asks first where something would be lost.
+    /// Shows another scene, or asks first if something would be lost.
     pub(crate) fn show(&mut self, opened: Opened) {
         if !self.would_lose() {
             self.show_now(opened);
@@ -58,12 +58,13 @@ impl App {
         self.ask_about_edits(Unsaved::Open);
     }
 
-    /// Asks what is to become of unsaved edits.
+    /// Asks whether to save or discard unsaved edits.
     pub(super) fn ask_about_edits(&mut self, question: Unsaved) {
         self.shell.ask(Mode::Unsaved(question));
     }
 
-    /// Keys of a question about unsaved edits; `None` for those that mean the same everywhere.
+    /// Handles a key of the prompt about unsaved edits. Returns `None` for keys with the same
+    /// meaning everywhere.
     pub(super) fn answer(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Unsaved(question) = &self.shell.mode else {
             return None;
@@ -94,8 +95,8 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// After a key: what was to follow on saving is done once nothing is unsaved, and forgotten where the
-    /// person has gone back.
+    /// Runs the pending action after a key, once all edits are saved. Drops it if the user returned
+    /// to unsaved edits.
     pub(super) fn settle(&mut self, effect: Effect) -> Effect {
         if self.shell.mode != Mode::Normal || self.pending.is_none() || self.document.storing {
             return effect;

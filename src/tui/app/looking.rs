@@ -1,4 +1,4 @@
-//! What is seen: the view, the panes beside it, how far each is scrolled.
+//! Selects the view, arranges the panes and scrolls them.
 
 use super::super::views::{self, Listing, Need};
 use super::{App, Mode, View};
@@ -11,14 +11,14 @@ use ratatui::layout::Size;
 use std::time::Duration;
 
 impl App {
-    /// Looks at the view that is so many places on, in the order of the tabs and round.
+    /// Selects the view `places` tabs ahead, cyclically.
     pub(super) fn turn_view(&mut self, places: usize) {
         let here = View::ALL.iter().position(|view| *view == self.shell.view);
         let there = (here.unwrap_or(0) + places) % View::ALL.len();
         self.look_from_tabs(View::ALL[there]);
     }
 
-    /// Its key was pressed: a study goes on, or is repeated.
+    /// Selects a view by its key, which also continues or repeats a study.
     pub(super) fn look_at(&mut self, view: View) {
         self.look_from_tabs(view);
         if view.pane().needs() == Need::Study {
@@ -26,7 +26,7 @@ impl App {
         }
     }
 
-    /// Looks at a view, and says so where it has nothing to show.
+    /// Selects a view and reports why it is empty, if it is.
     fn look_from_tabs(&mut self, view: View) {
         self.look(view);
         if let Some(why) = view.pane().nothing(self) {
@@ -34,7 +34,7 @@ impl App {
         }
     }
 
-    /// Looks at a view: in its pane, or in one that it is given.
+    /// Selects a view, in its pane or in one assigned to it.
     pub(crate) fn look(&mut self, view: View) {
         let (before, size) = (self.shell.view, self.shell.size);
         self.shell.composition.look(view, before, size);
@@ -45,8 +45,8 @@ impl App {
         self.attend_to_panes();
     }
 
-    /// What the views that stand need is found while they do, and only then; a study begins when it is looked at for
-    /// the first time.
+    /// Computes the data for the visible views, and only that. A study starts when its view is first
+    /// visible.
     pub(super) fn attend_to_panes(&mut self) {
         let needs: Vec<Need> = self
             .standing()
@@ -69,7 +69,7 @@ impl App {
         self.sample();
     }
 
-    /// Whether anything that stands needs this.
+    /// Returns `true` if a visible view needs this.
     pub(super) fn is_needed(&self, need: Need) -> bool {
         self.standing()
             .iter()
@@ -78,7 +78,7 @@ impl App {
 
     // ---- panes
 
-    /// Looks at the next pane.
+    /// Selects the next pane.
     pub(super) fn next_pane(&mut self) {
         let (view, size) = (self.shell.view, self.shell.size);
         match self.shell.composition.next_pane(view, size) {
@@ -87,7 +87,7 @@ impl App {
         }
     }
 
-    /// Gives the pane that is looked at the whole screen, or shows the others again.
+    /// Maximizes the current pane, or restores the others.
     pub(super) fn toggle_alone(&mut self) {
         if !self.shell.composition.toggle_alone(self.shell.size) {
             self.shell.say(words().no_other_pane());
@@ -95,7 +95,7 @@ impl App {
         self.rearrange();
     }
 
-    /// Moves the line beside the drawing by so many steps.
+    /// Moves the border next to the drawing by a number of steps.
     pub(super) fn move_split(&mut self, steps: i8) {
         let is_split = self.standing().contains(&View::Motion);
         if !(is_split && self.shell.composition.move_split(steps)) {
@@ -104,14 +104,14 @@ impl App {
         self.rearrange();
     }
 
-    /// Goes on to the next layout.
+    /// Switches to the next layout.
     pub(super) fn next_layout(&mut self) {
         let name = self.shell.composition.next_layout().name();
         self.shell.say(words().layout_is(name));
         self.rearrange();
     }
 
-    /// Panes stand elsewhere, or others do.
+    /// Updates everything that depends on the arrangement of the panes.
     pub(super) fn rearrange(&mut self) {
         let (view, size) = (self.shell.view, self.shell.size);
         self.shell.composition.keep(view, size);
@@ -119,7 +119,7 @@ impl App {
         self.lay_out();
     }
 
-    /// Watches the next method at work on the present state; behind the last one the study stands again.
+    /// Watches the next method on the current state. After the last one, the study is shown again.
     pub(super) fn watch_next(&mut self) {
         let all = PositionMethod::WATCHED;
         let here = all.iter().position(|method| Some(*method) == self.watched);
@@ -129,7 +129,7 @@ impl App {
         }
     }
 
-    /// Watches a method, or none.
+    /// Watches a method, or returns to the study if `None`.
     pub(super) fn watch_method(&mut self, method: Option<PositionMethod>) {
         self.watched = method;
         self.guess.clear();
@@ -138,7 +138,7 @@ impl App {
         self.attend_to_panes();
     }
 
-    /// Asks where the method begins that is watched.
+    /// Asks for the initial guess of the watched method.
     pub(super) fn ask_for_guess(&mut self) {
         match self.watched {
             _ if self.player.open_scene.watched().is_none() => {
@@ -152,7 +152,7 @@ impl App {
         }
     }
 
-    /// A guess was typed; one that is none can be mended.
+    /// Applies the typed guess, or keeps the line for correction.
     pub(super) fn accept_guess(&mut self, guess: &str) {
         match self.player.open_scene.guess(guess) {
             Ok(()) => {
@@ -164,29 +164,29 @@ impl App {
         }
     }
 
-    /// Whether a method is watched in the view that is looked at.
+    /// Returns `true` if the current view shows a watched method.
     pub(crate) fn is_watching(&self) -> bool {
         self.watched.is_some() && self.shell.view == View::Accuracy
     }
 
-    /// Begins a study, goes on with it or repeats it.
+    /// Starts, continues or repeats a study.
     pub(super) fn study(&mut self) {
         self.study_run.go_on(self.player.open_scene.solver());
     }
 
-    /// The screen has another size.
+    /// Adapts to a new screen size.
     pub(crate) fn resize(&mut self, size: Size, aspect: Option<f64>) {
         self.shell.resize(size, aspect);
         self.rearrange();
     }
 
-    /// What is shown takes another room: the cursor and what is scrolled stay within it.
+    /// Keeps the cursor and the scroll positions in range after a change of layout.
     pub(super) fn lay_out(&mut self) {
         self.place_cursor(|cursor, _| cursor);
         self.scroll_by(0);
     }
 
-    /// What is asked is on the screen, if anything is.
+    /// Records that a frame has shown the current prompt and message.
     pub(crate) fn be_seen(&mut self, now: Duration) {
         if views::has_words(self.shell.size) {
             self.shell.show_question(now);
@@ -198,7 +198,7 @@ impl App {
         isize::try_from(views::page(self)).unwrap_or(isize::MAX)
     }
 
-    /// Goes to the next part of what is looked at, or to the one before; where there is none, says so.
+    /// Moves to the next or previous part of the current view, or reports that there is none.
     pub(super) fn go_to_part(&mut self, forward: bool) {
         match self.shell.view.pane().list() {
             Listing::Values => self.document.editor.go_to_part(forward),
@@ -219,7 +219,7 @@ impl App {
         }
     }
 
-    /// Scrolls what is on top, within its limits.
+    /// Scrolls the topmost list or text, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
         self.lay_out_help();
         let most = match self.shell.mode {

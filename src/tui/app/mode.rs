@@ -1,4 +1,4 @@
-//! What keys go to.
+//! Defines the input modes.
 
 use super::Unsaved;
 use crate::tui::commands::line::EditLine;
@@ -10,51 +10,51 @@ use crate::tui::views::palette::list::CommandList;
 use crate::tui::views::picker::list::Picker;
 use crate::tui::views::plots::list::PlotList;
 
-/// What keys go to.
+/// The input mode, which receives the keys.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
-    /// The view.
+    /// The current view.
     Normal,
     /// The help overlay.
     Help(Help),
-    /// This screen of the tour.
+    /// The tour, with the index of its screen.
     Tour(usize),
-    /// The line in which a coordinate is typed.
+    /// The input line for a driver coordinate.
     GoTo(EditLine),
-    /// The line in which is typed where a method begins.
+    /// The input line for the initial guess of a method.
     Guess(EditLine),
-    /// The line in the scene view in which is typed what is to be met.
+    /// The input line for goals, in the scene view.
     Goal(EditLine),
-    /// The designs that meet it, being looked for and gone through.
+    /// The designs that meet a goal, while they are searched or browsed.
     GoalRun,
     /// The list of all commands.
     Palette(CommandList),
-    /// The list of assemblies, with the cursor on this one.
+    /// The list of assemblies, with the index under the cursor.
     Assemblies(usize),
-    /// The list in which is chosen what is plotted.
+    /// The list of plottable columns.
     PlotList(PlotList),
-    /// The line in which the name of a file is typed.
+    /// The input line for a file name.
     FileName(Prompt),
-    /// The question whether to write to a file.
+    /// The prompt before writing to a file.
     Confirm(Question),
     /// The list of presets and files.
     Pick(Box<Picker>),
-    /// The linkages for a task.
+    /// The candidate linkages for a synthesis task.
     Candidates,
-    /// The line in which a name is typed that is sought.
+    /// The input line of a search by name.
     Search(NameSearch),
-    /// The question how much of the tables is copied.
+    /// The prompt for how much of the tables to copy.
     Copy,
-    /// The line in the scene view in which a value is typed.
+    /// The input line for a value, in the scene view.
     Value(EditLine),
-    /// A question about unsaved edits.
+    /// A prompt about unsaved edits.
     Unsaved(Unsaved),
-    /// The offer of edits that earlier sessions have left.
+    /// The offer to restore edits of earlier sessions.
     Recovery(Box<Offer>),
 }
 
 impl Mode {
-    /// The line that is typed in, if there is one.
+    /// Returns the input line of this mode, if it has one.
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
             Mode::GoTo(line) | Mode::Guess(line) | Mode::Goal(line) | Mode::Value(line) => {

@@ -1,4 +1,4 @@
-//! Choosing a preset or a file.
+//! Lets the user pick a preset or a file.
 
 use super::super::Origin;
 use super::{App, Effect, Mode};
@@ -14,12 +14,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 impl App {
-    /// Lists what can be opened, from the folder of the open file on.
+    /// Lists the scenes that can be opened, starting in the folder of the open file.
     pub(super) fn pick(&mut self) {
         self.list(Purpose::Open, None);
     }
 
-    /// Lists what there is, with the cursor on `at`, or on the open scene.
+    /// Opens the list with the cursor on `at`, or on the open scene.
     pub(super) fn list(&mut self, purpose: Purpose, at: Option<PickerTarget>) {
         let folder = match self.player.open_scene.origin() {
             Origin::File(path) => path.parent().map(Path::to_owned),
@@ -33,8 +33,8 @@ impl App {
         self.look_into(folder, at, true);
     }
 
-    /// What stands before all scenes: to be compared with, the open one as it was opened; to be opened, the linkages
-    /// that were found for a task.
+    /// Returns the first item of the list: the unedited scene for a comparison, or the last task's
+    /// linkages for opening.
     fn first_listed(&self, purpose: Purpose) -> Option<PickerItem> {
         match purpose {
             Purpose::Compare => self
@@ -47,7 +47,7 @@ impl App {
         }
     }
 
-    /// Lists a folder, once it was read, with the cursor on a place in it, or on the open scene.
+    /// Lists a folder once it is read, with the cursor on an entry of it, or on the open scene.
     fn look_into(&mut self, folder: PathBuf, at: Option<PickerTarget>, or_here: bool) {
         let origin = self.player.open_scene.origin().clone();
         let Mode::Pick(picker) = &self.shell.mode else {
@@ -65,13 +65,13 @@ impl App {
         });
     }
 
-    /// Whether the scene is no longer what was opened.
+    /// Returns `true` if the scene's text differs from the opened text.
     pub(super) fn is_edited(&self) -> bool {
         self.player.open_scene.scene().text() != &*self.document.original
     }
 
-    /// Brings what a frame shows beside the state itself up to date. It is done once for a frame, however
-    /// many keys came before it.
+    /// Updates everything that a frame shows besides the state. Runs once per frame, after any
+    /// number of keys.
     pub(crate) fn catch_up(&mut self) {
         self.follow();
         if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
@@ -91,7 +91,7 @@ impl App {
         }
     }
 
-    /// What is known of the entry under the cursor.
+    /// Returns the preview of the entry under the cursor.
     pub(crate) fn preview(&self) -> Option<&Preview> {
         let Mode::Pick(picker) = &self.shell.mode else {
             return None;
@@ -99,7 +99,8 @@ impl App {
         self.previews.of(&picker.chosen()?.place)
     }
 
-    /// Keys while something is chosen: letters search. `None` for those that mean the same everywhere.
+    /// Handles a key of the list; letters narrow the search. Returns `None` for keys with the same
+    /// meaning everywhere.
     pub(super) fn pick_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let page = self.page();
         let Mode::Pick(picker) = &mut self.shell.mode else {
@@ -130,7 +131,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Back to the open scene, which goes on from where it was.
+    /// Returns to the open scene and resumes its playback.
     fn leave_list(&mut self, now: Duration) {
         self.shell.mode = Mode::Normal;
         self.previews.forget();
@@ -147,7 +148,7 @@ impl App {
         }
     }
 
-    /// Opens what is under the cursor, or looks into it.
+    /// Opens the entry under the cursor, or lists it if it is a folder.
     fn accept_pick(&mut self) {
         self.shell.message = None;
         let Mode::Pick(picker) = &mut self.shell.mode else {
@@ -176,7 +177,7 @@ impl App {
         });
     }
 
-    /// What was picked is open, or why it is not.
+    /// Shows or compares the opened scene, or reports why it did not open.
     fn picked(
         &mut self,
         purpose: Purpose,
@@ -186,7 +187,7 @@ impl App {
         now: Duration,
     ) {
         self.shell.message = None;
-        // Whoever has left the list meanwhile does not want it any more.
+        // The user may have closed the list before the file was read.
         if !matches!(self.shell.mode, Mode::Pick(_)) {
             return;
         }
@@ -214,12 +215,12 @@ impl App {
     }
 }
 
-/// Opens a scene or a task of the list; in words why it cannot be.
+/// Opens a scene or task of the list. Returns a message if that fails.
 fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<OpenedFile, String> {
     let scene = |opened| OpenedFile::Scene(Box::new(opened));
     match place {
         PickerTarget::Folder(path) => Err(words().is_folder(&path.display())),
-        // Its name is under the cursor.
+        // The cursor already shows the file's name.
         PickerTarget::File(path) => opening::file(&near(path)).map_err(Unopened::first_words),
         PickerTarget::Preset(name) => match presets::find(name) {
             Some(preset) => opening::preset(preset).map(scene),
@@ -228,12 +229,12 @@ fn opened(place: &PickerTarget, original: &str, origin: Origin) -> Result<Opened
         PickerTarget::Original => opening::text(original, origin)
             .map(scene)
             .map_err(|d| d.first_words().to_owned()),
-        // They are listed, and not opened.
+        // Candidates are listed, not opened.
         PickerTarget::Candidates => Err(words().found_before().to_owned()),
     }
 }
 
-/// The path as seen from where the program runs, if it lies below: shorter to read.
+/// Returns a path below the working directory in relative form, which is shorter.
 fn near(path: &Path) -> PathBuf {
     let below = env::current_dir().and_then(|here| here.canonicalize());
     let below = below.ok().and_then(|here| path.strip_prefix(here).ok());

@@ -1,4 +1,4 @@
-//! What is plotted: choosing it, and what stands along x.
+//! Chooses the plotted columns and the x axis.
 
 use super::super::views::{Need, most_scroll};
 use super::{App, Effect, Mode};
@@ -47,12 +47,13 @@ impl App {
         &self.plots
     }
 
-    /// What the open scene asks of its motor.
+    /// Returns the motor study of the open scene.
     pub(crate) fn motor(&self) -> &MotorStudy {
         &self.motor
     }
 
-    /// Samples what is plotted, and studies the motor, while it is looked at; what is up to date costs nothing.
+    /// Updates the curves and the motor study while a view needs them. Costs nothing if they are up
+    /// to date.
     pub(super) fn sample(&mut self) {
         if self.is_needed(Need::Curves) {
             self.follow();
@@ -67,7 +68,7 @@ impl App {
         }
     }
 
-    /// Keys of the list; `None` for those that mean the same everywhere.
+    /// Handles a key of the list. Returns `None` for keys with the same meaning everywhere.
     pub(super) fn list_key(&mut self, key: Key) -> Option<Effect> {
         let (page, most) = (self.page(), most_scroll(self));
         let Mode::PlotList(list) = &mut self.shell.mode else {
@@ -118,7 +119,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Plots what is under the cursor, or no longer.
+    /// Adds the column under the cursor to the plot, or removes it.
     fn toggle_plot(&mut self) {
         if let Mode::PlotList(list) = &self.shell.mode
             && let Some(name) = list.current()

@@ -1,4 +1,4 @@
-//! What the mouse does: each of it can be done by key as well.
+//! Handles the mouse. Every mouse action is also available by key.
 
 use super::dragging::TypedPlace;
 use super::{App, Effect, Mode, View};
@@ -10,32 +10,32 @@ use crate::wording::words;
 use crate::{Body, Input, Vec2, angle};
 use std::time::Duration;
 
-/// A turn of the wheel goes so many lines.
+/// Lines per step of the mouse wheel.
 const WHEEL: isize = 3;
-/// A point is taken from so many columns away.
+/// Distance within which a press takes a point, in columns.
 const REACH: f64 = 1.5;
 
-/// What the button holds while it is pressed.
+/// The object that the pressed button drags.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) enum Gripped {
     #[default]
     Nothing,
-    /// The driver: how far its coordinate is ahead of that of the mouse. A window may go along with the linkage,
-    /// and so a place that was seen in an earlier one tells nothing.
+    /// The driver, with the lead of its coordinate over the mouse's. The viewport may follow the
+    /// linkage, so positions seen in an earlier viewport are not comparable.
     Driver(f64),
-    /// A point whose place is typed in the scene.
+    /// A point with coordinates in the scene's text.
     Point(TypedPlace),
-    /// The line of a plot where the driver is.
+    /// The cursor of a plot, which marks the driver's coordinate.
     Course,
 }
 
 impl App {
-    /// Whether the mouse is ours and not the terminal's.
+    /// Returns `true` if the workbench handles the mouse, `false` if the terminal does.
     pub(crate) fn has_mouse(&self) -> bool {
         self.shell.has_mouse
     }
 
-    /// Takes the mouse, or gives it back to the terminal.
+    /// Takes over the mouse, or returns it to the terminal.
     pub(super) fn toggle_mouse(&mut self) {
         self.shell.has_mouse = !self.shell.has_mouse;
         self.let_go();
@@ -45,14 +45,14 @@ impl App {
         });
     }
 
-    /// Something was done with the mouse, over what stands there.
+    /// Handles a mouse event over the object at the pointer.
     pub(crate) fn point(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
         if !self.shell.has_mouse {
             return Effect::Show;
         }
         let effect = self.act(mouse, under, now);
         self.focus();
-        // Another view may have fewer lines than what was scrolled before.
+        // Another view may have fewer lines than the previous scroll position.
         self.scroll_by(0);
         effect
     }
@@ -61,9 +61,9 @@ impl App {
         match (mouse.deed, under) {
             (MouseDeed::WheelUp, under) => return self.roll(-WHEEL, &under, now),
             (MouseDeed::WheelDown, under) => return self.roll(WHEEL, &under, now),
-            // Whatever has come up meanwhile.
+            // A release ends the drag, even if another mode has opened meanwhile.
             (MouseDeed::Release, _) => self.let_go(),
-            // What is chosen or asked is answered by its keys.
+            // Lists and prompts take keys only.
             _ if self.shell.mode != Mode::Normal => {}
             (MouseDeed::Press, under) => self.press(under, now),
             (MouseDeed::Drag, under) => self.drag(&under, now),
@@ -71,7 +71,7 @@ impl App {
         Effect::Show
     }
 
-    /// The wheel makes the drawing larger or smaller, and goes through what is on top.
+    /// Zooms the drawing, or scrolls the topmost list or text.
     fn roll(&mut self, lines: isize, under: &Under, now: Duration) -> Effect {
         let up = lines < 0;
         match (&self.shell.mode, under) {
@@ -82,7 +82,7 @@ impl App {
             }
             (Mode::Normal, Under::Nothing | Under::Tab(_)) => {}
             (Mode::Help(_) | Mode::Assemblies(_), _) => self.scroll_by(lines),
-            // Other lists take the arrows themselves, whatever a person has made of these.
+            // Other lists handle arrow keys themselves, independently of the key bindings.
             _ => {
                 let key = if up { Key::Up } else { Key::Down };
                 let effects: Vec<Effect> = (0..WHEEL).map(|_| self.key(key, now)).collect();
@@ -156,20 +156,20 @@ impl App {
         }
     }
 
-    /// The button holds nothing any more.
+    /// Ends a mouse drag.
     pub(super) fn let_go(&mut self) {
         self.shell.grip = Gripped::Nothing;
         self.viewport.lens.let_go();
     }
 
-    /// What is led by hand does not run on by itself.
+    /// Pauses playback before a drag.
     fn pause(&mut self, now: Duration) {
         if self.player.playback.is_playing() {
             self.player.toggle(now);
         }
     }
 
-    /// The driver goes to a coordinate, as near as the motion lets it.
+    /// Moves the driver to the coordinate nearest to `at` that the motion permits.
     fn lead_to(&mut self, at: f64, now: Duration) {
         let here = self.player.open_scene.at();
         let at = self.player.open_scene.driver_range().on_grid(at);
@@ -183,8 +183,8 @@ impl App {
         }
     }
 
-    /// The driven link turns as the mouse does about its pivot, the shorter way round; a driven slide goes along
-    /// with it.
+    /// Turns the driven link with the mouse about its pivot, along the shorter arc; a driven slide
+    /// moves along its guide.
     fn drag_driver(&mut self, ahead: f64, place: Vec2, now: Duration) {
         let Some(pointed) = self.pointed_at(place) else {
             return;
@@ -200,8 +200,8 @@ impl App {
         }
     }
 
-    /// The driver's coordinate that a place tells, but for a part that stays the same: the direction from its pivot,
-    /// or how far it lies along its guide.
+    /// Returns the driver coordinate for a position of the mouse, up to a constant: the direction
+    /// from the link's pivot in degrees, or the distance along the guide.
     fn pointed_at(&self, place: Vec2) -> Option<f64> {
         let open_scene = &self.player.open_scene;
         let mechanism = &open_scene.scene().mechanism;

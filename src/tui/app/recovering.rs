@@ -1,4 +1,4 @@
-//! Keeping unsaved edits, and taking up those that earlier sessions have left.
+//! Records unsaved edits for recovery and restores those of earlier sessions.
 
 use super::super::Origin;
 use super::{App, Effect, Mode};
@@ -15,7 +15,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, SystemTime};
 
 impl Drop for App {
-    /// What is kept is seen to apart from the screen: a disk that hangs keeps nobody from leaving.
+    /// Closes the recovery record on a background thread, so that a slow disk does not delay
+    /// quitting.
     fn drop(&mut self) {
         let kept = self.document.recovery.take();
         self.clerk.give(move || {
@@ -30,25 +31,25 @@ fn locked(kept: &Kept) -> MutexGuard<'_, Recovery> {
 }
 
 impl App {
-    /// Keeps unsaved edits in a folder from now on, and offers those that are there.
+    /// Sets the folder for unsaved edits and offers the edits found there.
     pub(crate) fn recover_in(&mut self, folder: &Path) {
         self.document.folder = Some(folder.to_owned());
         self.remember(true);
         self.attend(self.now);
     }
 
-    /// Nowhere is a folder to keep edits in: this is said with the first edit.
+    /// Notes that no folder for unsaved edits exists. The first edit then reports it.
     pub(crate) fn recover_nowhere(&mut self) {
         self.document.is_homeless = true;
     }
 
-    /// A scene was opened: its file is watched, and edits of earlier sessions are offered.
+    /// Watches the file of a newly opened scene and offers edits of earlier sessions.
     pub(super) fn meet(&mut self) {
         self.watch();
         self.remember(true);
     }
 
-    /// Edits are kept for the scene that is open now, and those of others offered.
+    /// Opens a recovery record for the scene and, if `offers`, offers the edits of other sessions.
     pub(super) fn remember(&mut self, offers: bool) {
         let before = self.document.recovery.take();
         let Some(folder) = self.document.folder.clone() else {
@@ -90,7 +91,7 @@ impl App {
         }
     }
 
-    /// After an edit: it is kept, or what was kept is dropped where nothing is unsaved any more.
+    /// Records the edits for recovery after a change, or removes the record if nothing is unsaved.
     pub(super) fn keep(&mut self) {
         if self.has_edits() && std::mem::take(&mut self.document.is_homeless) {
             let said = words().edits_kept_nowhere().to_owned();
@@ -101,7 +102,7 @@ impl App {
             return;
         };
         let text = self.player.open_scene.scene().text().to_owned();
-        // Edits that were taken up are taken back.
+        // The restored edits may have been undone.
         self.document.older &= self.is_changed();
         let waiting = self.document.editor.gathered.clone().unwrap_or_default();
         let edits = KeptEdits { text, waiting };
@@ -121,7 +122,7 @@ impl App {
         });
     }
 
-    /// The scene was saved: what was edited since is kept, and what was taken up goes.
+    /// Updates the recovery record after a save: keeps later edits and drops restored ones.
     pub(super) fn keep_saved(&mut self) {
         if !self.has_edits() {
             self.release();
@@ -136,7 +137,7 @@ impl App {
         }
     }
 
-    /// What was kept is saved, or not wanted any more.
+    /// Removes the recovery record because the edits are saved or discarded.
     pub(super) fn release(&mut self) {
         if let Some(kept) = self.document.recovery.clone() {
             self.clerk.give(move || {
@@ -146,8 +147,8 @@ impl App {
         }
     }
 
-    /// Keys while edits are offered; `None` for those that mean the same everywhere. What was typed before
-    /// the offer could be read was meant for something else, and answers nothing.
+    /// Handles a key while edits are offered. Returns `None` for keys with the same meaning
+    /// everywhere. Keys typed before the offer was readable are ignored.
     pub(super) fn offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let (page, is_readable) = (self.page(), self.shell.can_be_answered(now));
         let Mode::Recovery(offer) = &mut self.shell.mode else {
@@ -171,7 +172,7 @@ impl App {
             Key::Escape | Key::Backspace if offer.page.is_some() => offer.page = None,
             Key::Escape => self.shell.mode = Mode::Normal,
             Key::Enter if offer.others.left.is_empty() => self.shell.mode = Mode::Normal,
-            // It tells something and asks nothing: a key does what it does without it.
+            // This offer only informs, so the key keeps its usual meaning.
             Key::Char(_) if offer.others.left.is_empty() => {
                 self.shell.mode = Mode::Normal;
                 return None;
@@ -186,7 +187,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Edits of an earlier session come back, as a step that can be taken back.
+    /// Restores the edits of an earlier session as an edit that can be undone.
     fn take_offered(&mut self, now: Duration) {
         let Mode::Recovery(offer) = &self.shell.mode else {
             return;
@@ -198,7 +199,7 @@ impl App {
             Ok(edited) => {
                 self.shell.mode = Mode::Normal;
                 if let Some(kept) = self.document.recovery.clone() {
-                    // As the scene says them now, with its start positions.
+                    // The text of the reopened scene, which includes its start positions.
                     let text = edited.opened.scene.text().to_owned();
                     self.clerk.give(move || {
                         locked(&kept).take(found.file, text);

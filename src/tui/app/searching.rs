@@ -1,5 +1,4 @@
-//! Finding a row by its name, in the tables and in the scene view; the cursor of the tables, and choosing
-//! what the motion view shows.
+//! Searches rows by name, moves the cursor of the tables, and marks points for the motion view.
 
 use super::super::views::{self, Listing};
 use super::{App, Effect, Mode, View};
@@ -13,7 +12,7 @@ use crate::tui::views::motion::followed;
 use crate::wording::words;
 
 impl App {
-    /// Asks for a name, in the views that have rows.
+    /// Opens the search line, in the views that have rows or lines.
     pub(super) fn search(&mut self) {
         let from = match self.shell.view.pane().list() {
             Listing::Figures => Whence::Tables(self.cursor),
@@ -28,7 +27,7 @@ impl App {
         self.shell.mode = Mode::Search(NameSearch { name, from });
     }
 
-    /// Keys of the line in which a name is typed; `None` for those that mean the same everywhere.
+    /// Handles a key of the search line. Returns `None` for keys with the same meaning everywhere.
     pub(super) fn search_key(&mut self, key: Key) -> Option<Effect> {
         let Mode::Search(search) = &mut self.shell.mode else {
             return None;
@@ -50,7 +49,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Puts the cursor where the search began.
+    /// Moves the cursor back to where the search began.
     fn go_back(&mut self, from: Whence) {
         match from {
             Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
@@ -62,13 +61,14 @@ impl App {
         }
     }
 
-    /// Scrolls what is looked at to a line.
+    /// Scrolls the current view to a line.
     fn scroll_to(&mut self, line: usize) {
         let most = views::most_scroll(self);
         self.shell.scroll[self.shell.view as usize] = line.min(most);
     }
 
-    /// From which line on is sought: behind what was found and is still seen, else from the first that is seen.
+    /// Returns the first line to search: after the last match if that is visible, or else the first
+    /// visible line.
     fn next_line(&self) -> usize {
         let first = self.scroll(self.shell.view);
         let seen = first..first + views::page(self);
@@ -80,7 +80,7 @@ impl App {
         self.found.as_ref().map(|found| found.line)
     }
 
-    /// Moves to the row that is meant by what is typed so far; says so where there is none.
+    /// Moves to the best match for the text typed so far, or reports that there is none.
     pub(super) fn find(&mut self) {
         let Mode::Search(search) = &self.shell.mode else {
             return;
@@ -95,8 +95,8 @@ impl App {
         self.shell.message = (!found).then(|| nameless(&typed));
     }
 
-    /// Moves to the row that a name means, of several to the first from a place on; back to that place
-    /// where there is none, and then false.
+    /// Moves to the first match after `from` and returns `true`; without a match, moves back to
+    /// `from` and returns `false`.
     fn go_to_name(&mut self, typed: &str, from: Whence) -> bool {
         match from {
             Whence::Tables(from) => {
@@ -116,8 +116,8 @@ impl App {
         }
     }
 
-    /// Stays where the name led. Nothing typed means the next row of the name that was sought last; a
-    /// name that leads nowhere can be mended.
+    /// Accepts the search. An empty line repeats the last search; a name without a match stays for
+    /// correction.
     fn accept_search(&mut self) {
         let Mode::Search(search) = &self.shell.mode else {
             return;
@@ -134,7 +134,7 @@ impl App {
         }
     }
 
-    /// Goes on to the next row of the name that was sought last.
+    /// Moves to the next match of the last search.
     fn find_next(&mut self, from: Whence) {
         if self.sought.is_empty() {
             return;
@@ -159,14 +159,14 @@ impl App {
     pub(super) fn browse(&mut self, action: TablesAction) {
         match action {
             TablesAction::Choose => self.choose(),
-            // Of all lists the tables alone have something at the side.
+            // Only the tables have columns to move sideways.
             _ if self.shell.view != View::Tables => self.shell.say(words().nothing_at_the_side()),
             TablesAction::Left => self.place_cursor(|cursor, lines| cursor.aside(lines, -1)),
             TablesAction::Right => self.place_cursor(|cursor, lines| cursor.aside(lines, 1)),
         }
     }
 
-    /// Moves the cursor over the lines of the tables, which scroll after it.
+    /// Moves the cursor of the tables and scrolls them to it.
     pub(super) fn place_cursor(
         &mut self,
         there: impl FnOnce(Cursor, &[sheet::TableLine]) -> Cursor,
@@ -177,8 +177,8 @@ impl App {
         *scroll = cursor::follow(&lines, self.cursor, *scroll, height);
     }
 
-    /// Chooses what the row under the cursor stands for, or no longer: a point, or the ends of a vector
-    /// that move.
+    /// Marks or unmarks the points of the row under the cursor: a point, or the moving ends of a
+    /// vector.
     fn choose(&mut self) {
         let Cursor { part, row, .. } = self.cursor;
         let moving = followed::moving(self.player.open_scene.scene(), part, row);

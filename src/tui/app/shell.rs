@@ -1,4 +1,4 @@
-//! What keys go to, what is looked at, and on what screen.
+//! The input mode, the current view and the screen.
 
 use super::pointing::Gripped;
 use super::{Mode, View};
@@ -12,51 +12,52 @@ use crate::wording::words;
 use ratatui::layout::Size;
 use std::time::Duration;
 
-/// The height of a cell for its width in most fonts.
+/// Height of a cell divided by its width in most fonts.
 const USUAL_ASPECT: f64 = 2.0;
-/// Who has not seen a question for so long has typed for something else.
+/// Shortest time between showing a prompt and accepting its answer. Earlier keys were typed before
+/// the user read it.
 const REACTION: Duration = Duration::from_millis(300);
-/// What has been said for so long has been read, or nobody is there.
+/// Time after which a message disappears.
 const LEGIBLE: Duration = Duration::from_secs(8);
 
 /// The scene as it was before an edit.
 #[derive(Debug)]
 pub(super) struct SceneBefore {
     pub open_scene: OpenScene,
-    /// Whether a key has come since, which may go on with the edit.
+    /// `true` if a key has been pressed since. That key may continue the edit.
     pub is_past: bool,
 }
 
-/// The workbench around the scene.
+/// The state of the workbench outside the scene.
 #[derive(Debug)]
 pub(super) struct Shell {
     pub mode: Mode,
     pub keymap: Keymap,
     pub view: View,
-    /// Which panes stand beside it, and where.
+    /// The visible panes and their arrangement.
     pub composition: Composition,
-    /// Lines that each view is scrolled by.
+    /// The lines by which each view is scrolled.
     pub scroll: [usize; View::ALL.len()],
-    /// Said in the last line until the next key, or until it has been there for long enough.
+    /// The message in the last line, until the next key or until it expires.
     pub message: Option<String>,
-    /// Since when it is on the screen, and what it is.
+    /// The message on the screen and the time when it appeared.
     told: Option<(Duration, String)>,
-    /// The scene as it was before the last edit; until the next key.
+    /// The scene as it was before the last edit, until the next key.
     pub before: Option<SceneBefore>,
-    /// Since when a question is on the screen.
+    /// The time when the current prompt appeared on the screen.
     seen: Option<Duration>,
 
-    /// Whether the mouse is ours, and what its button holds.
+    /// `true` if the workbench handles the mouse.
     pub has_mouse: bool,
     pub grip: Gripped,
 
     // The terminal.
     pub capability: Capability,
-    /// How it is sent pictures, or why it is not.
+    /// The image protocol, or the reason why there is none.
     pub pictures: Detected<Option<PictureProtocol>>,
     pub theme: Theme,
     pub size: Size,
-    /// The height of a cell for its width.
+    /// Height of a cell divided by its width.
     pub aspect: f64,
 }
 
@@ -90,7 +91,7 @@ impl Shell {
         self.told = None;
     }
 
-    /// What is said is on the screen, if anything is.
+    /// Records the time at which the current message appeared on the screen.
     pub(super) fn show_message(&mut self, now: Duration) {
         let is_told = self.told.as_ref().map(|(_, told)| told) == self.message.as_ref();
         if !is_told {
@@ -98,13 +99,13 @@ impl Shell {
         }
     }
 
-    /// When what is said has been there for long enough: not while something is typed, chosen or asked.
+    /// Returns the time when the message expires; `None` while the user types, chooses or answers.
     pub(super) fn message_ends(&self) -> Option<Duration> {
         let (since, _) = self.told.as_ref()?;
         (self.mode == Mode::Normal).then_some(*since + LEGIBLE)
     }
 
-    /// Time has passed.
+    /// Removes the message if it has expired.
     pub(super) fn forget_message(&mut self, now: Duration) {
         if self.message_ends().is_some_and(|end| now >= end) {
             self.message = None;
@@ -148,23 +149,23 @@ impl Shell {
         });
     }
 
-    // ---- questions whose answer can lose something: no key answers one that was typed before it could be read
+    // ---- prompts whose answer can lose data: they ignore keys typed before they were readable
 
-    /// Asks; nobody has seen it yet.
+    /// Opens a prompt. A frame has yet to show it.
     pub(super) fn ask(&mut self, question: Mode) {
         self.seen = None;
         self.mode = question;
     }
 
-    /// What is asked is on the screen, if anything is.
+    /// Records the time at which the current prompt appeared on the screen.
     pub(super) fn show_question(&mut self, now: Duration) {
         if let Mode::Recovery(_) | Mode::Confirm(_) | Mode::Unsaved(_) = self.mode {
             self.seen.get_or_insert(now);
         }
     }
 
-    /// Whether a key that comes now can be meant for what is asked. Who leaves knows what is asked then, and
-    /// need not read it.
+    /// Returns `true` if a key at `now` may answer the prompt. A prompt about unsaved edits needs no
+    /// reading time, because the user's own command caused it.
     pub(super) fn can_be_answered(&self, now: Duration) -> bool {
         let reading = match self.mode {
             Mode::Unsaved(_) => Duration::ZERO,

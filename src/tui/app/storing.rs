@@ -1,4 +1,4 @@
-//! Writing the scene, figures and pictures to files, and asking first where something would be lost.
+//! Writes the scene, values and images to files, with a prompt if something would be lost.
 
 use super::{App, Mode};
 use crate::files::Trouble;
@@ -13,7 +13,7 @@ use crate::wording::words;
 use std::path::{Path, PathBuf};
 
 impl App {
-    /// Writes the scene to its own file, or asks to which.
+    /// Saves the scene to its own file, or asks for a file.
     pub(super) fn save_own(&mut self) {
         self.player.playback.pause();
         let Origin::File(path) = self.player.open_scene.origin() else {
@@ -25,7 +25,7 @@ impl App {
             self.store(SavedContent::Scene, path, Leave::default());
             return;
         }
-        // The file says what the screen says, if it is there.
+        // The file has the screen's contents, if it still exists.
         let scene = self.scenes;
         self.clerk.give(move || {
             let is_gone = matches!(News::of(&path), News::Gone);
@@ -53,7 +53,8 @@ impl App {
         self.ask_for_file(SavedContent::Scene, &proposal);
     }
 
-    /// Writes to a file, as far as that was granted; the scene's is then its own.
+    /// Writes content to a file, within the granted permissions. A saved scene then belongs to that
+    /// file.
     pub(super) fn store(&mut self, content: SavedContent, to: PathBuf, leave: Leave) {
         if self.document.storing {
             self.shell.say(words().still_writing());
@@ -109,8 +110,7 @@ impl App {
         }));
     }
 
-    /// What belongs to a scene was written, or not. Where another scene is shown meanwhile, that is told and
-    /// nothing follows from it.
+    /// Handles the outcome of a write. If another scene is shown meanwhile, only reports it.
     fn stored(
         &mut self,
         content: SavedContent,
@@ -138,13 +138,13 @@ impl App {
             SavedContent::Scene => refused(&trouble, &errand.to),
             SavedContent::Text(_) => refused_there(&trouble),
         });
-        // A question that comes late would be answered by a key that was meant for something else.
+        // A late prompt could be answered by a key meant for something else.
         if self.shell.mode != Mode::Normal || !is_shown {
             return;
         }
         match Doubt::of(&trouble) {
             Some(doubt) => self.ask(content, errand, doubt),
-            // A text is not lost, and a name is mended rather than typed again.
+            // A text is not lost, and correcting a file name is easier than typing it again.
             None if errand.own.is_none() => {
                 let message = self.shell.message.take();
                 self.ask_for_file(content, &errand.to.to_string_lossy());
@@ -159,7 +159,7 @@ impl App {
         }
     }
 
-    /// The file holds the scene as it was when it was sent.
+    /// Notes that the file holds the scene as it was when the write started.
     fn filed(&mut self, errand: &Errand) {
         let is_own = self.is_own(&errand.to);
         if !is_own {
@@ -172,7 +172,7 @@ impl App {
         }
         self.document.editor.filed(&errand.text);
         self.document.older = false;
-        // What was edited meanwhile is in the place of what was saved before anything else goes.
+        // Edits made meanwhile are recorded before the older record is removed.
         self.keep_saved();
         self.relist();
         self.watch();

@@ -1,4 +1,4 @@
-//! Linkages for a task: looked for, gone through, and one of them taken.
+//! Searches linkages for a task, lists them and opens one.
 
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, TablesAction};
@@ -14,7 +14,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 impl App {
-    /// Looks for linkages that do a task, and lists them.
+    /// Starts a background search for linkages that solve a task, and lists the results.
     pub(crate) fn synthesize(&mut self, order: TaskOrder) {
         let list = CandidateList::new(order.clone());
         let search = Arc::clone(list.search());
@@ -24,7 +24,7 @@ impl App {
         self.clerk.search(move || {
             let found = search.run(&order);
             Box::new(move |app, _| {
-                // Another task may be looked at meanwhile.
+                // The user may have started another task meanwhile.
                 let own = |list: &&mut CandidateList| Arc::ptr_eq(list.search(), &search);
                 if let Some(list) = app.candidates.as_mut().filter(own) {
                     list.take(found);
@@ -34,26 +34,26 @@ impl App {
         self.take_in(self.now);
     }
 
-    /// The candidates of the task that was looked at last.
+    /// Returns the candidates of the last task.
     pub(crate) fn candidates(&self) -> Option<&CandidateList> {
         self.candidates.as_ref()
     }
 
-    /// Lists them again.
+    /// Shows the list of candidates again.
     pub(super) fn list_candidates(&mut self) {
         if self.candidates.is_some() {
             self.shell.mode = Mode::Candidates;
         }
     }
 
-    /// Back to the open scene, which goes on from where it was. What was found is kept.
+    /// Returns to the open scene and resumes its playback. Finished results are kept.
     fn leave_candidates(&mut self, now: Duration) {
         self.shell.mode = Mode::Normal;
         self.drop_search();
         self.player.resume(now);
     }
 
-    /// A search that has not come to its end ends.
+    /// Cancels an unfinished search and drops its list.
     fn drop_search(&mut self) {
         let searching = |list: &mut CandidateList| list.percent().is_some();
         if let Some(left) = self.candidates.take_if(searching) {
@@ -61,14 +61,15 @@ impl App {
         }
     }
 
-    /// The folder of the task that the open scene was taken from, where it is known.
+    /// Returns the folder of the task that produced the open scene, if known.
     pub(super) fn folder_of_task(&self) -> Option<&Path> {
         let list = self.candidates.as_ref();
         let own = list.filter(|list| list.taken == Some(self.scenes))?;
         own.order().folder.as_deref()
     }
 
-    /// Keys of the list of candidates; `None` for those that mean the same everywhere.
+    /// Handles a key of the list of candidates. Returns `None` for keys with the same meaning
+    /// everywhere.
     pub(super) fn candidates_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         self.shell.message = None;
         let walks = |list: &CandidateList| matches!(list.page(), CandidatesPage::Curves(_));
@@ -111,7 +112,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// Picks the pivot and pin under the cursor; two of them are listed as a linkage.
+    /// Picks the pivot and pin under the cursor. Two picked dyads are listed as a linkage.
     fn pick_dyad(&mut self) {
         let picks = self.candidates.as_mut().map(CandidateList::pick);
         if picks == Some(false) {
@@ -119,8 +120,8 @@ impl App {
         }
     }
 
-    /// Opens the candidate under the cursor as a new scene, which no file holds yet. One that does not do the task is
-    /// not taken, and says why.
+    /// Opens the candidate under the cursor as a new, unsaved scene. Reports the reasons if the
+    /// candidate does not solve the task.
     fn take_candidate(&mut self, now: Duration) {
         let Some(list) = &self.candidates else {
             return;
@@ -135,7 +136,8 @@ impl App {
         match opening::text(&text, Origin::New(name)) {
             Ok(opened) => {
                 self.leave_candidates(now);
-                // One that was taken from the list before, and not edited, stands in it still.
+                // An unedited scene taken earlier from the list is still listed there, so it may be
+                // replaced without a prompt.
                 let list = self.candidates.as_mut();
                 let before = list.and_then(|list| list.taken.replace(self.scenes + 1));
                 let is_new = matches!(self.player.open_scene.origin(), Origin::New(_));
@@ -144,13 +146,13 @@ impl App {
                     false => self.show(opened),
                 }
             }
-            // It was opened before, to be driven through the task.
+            // Not expected: the search already opened this scene to drive it through the task.
             Err(faults) => self.shell.say(faults.first_words()),
         }
     }
 }
 
-/// What a key of a list means on a curve, and whether it goes on.
+/// Returns the step along a curve for an action, and `true` if it goes forward.
 fn walk_step(action: Action) -> Option<(WalkStep, bool)> {
     let step = match action {
         Action::StepForward | Action::Tables(TablesAction::Right) => (WalkStep::Next, true),

@@ -1,4 +1,4 @@
-//! All that tolerances do to one figure, in the view of lengths.
+//! Shows the effect of all tolerances on one quantity, in the view of lengths.
 
 use super::super::views;
 use super::{App, View};
@@ -6,8 +6,8 @@ use crate::quantity::Catalogue;
 use crate::wording::words;
 
 impl App {
-    /// Tells what tolerances do to the figure that was found, or else to the first one that is seen; or goes back to
-    /// all figures.
+    /// Shows the effect of tolerances on the last found quantity, or on the first visible one; or
+    /// returns to all quantities.
     pub(super) fn tell_tolerance(&mut self) {
         if self.leave_tolerance() {
             return;
@@ -31,7 +31,7 @@ impl App {
         }
     }
 
-    /// Leaves what is told of one figure; false where nothing is.
+    /// Closes the tolerance page of one quantity. Returns `false` if none was open.
     pub(super) fn leave_tolerance(&mut self) -> bool {
         let was_told = self.player.open_scene.leave_tolerance();
         if was_told {
@@ -40,7 +40,7 @@ impl App {
         was_told
     }
 
-    /// Other lines stand there now.
+    /// Resets search and scrolling after the view's lines have changed.
     fn begin_lengths_anew(&mut self) {
         self.found = None;
         self.shell.scroll[View::Lengths as usize] = 0;

@@ -1,4 +1,4 @@
-//! The tour.
+//! Starts the tour and turns its pages.
 
 use super::{App, Effect, Mode};
 use crate::files::places;
@@ -6,12 +6,12 @@ use crate::tui::commands::key::Key;
 use crate::tui::views::tour::screens::{SCREENS, is_first_start};
 
 impl App {
-    /// Begins the tour.
+    /// Starts the tour.
     pub(super) fn tour(&mut self) {
         self.shell.mode = Mode::Tour(0);
     }
 
-    /// Begins it where krank was never started before, as far as its state tells.
+    /// Starts the tour if the state folder shows no earlier start of krank.
     pub(in crate::tui) fn tour_on_first_start(&mut self) {
         self.clerk.give(|| {
             let is_first = is_first_start(places::environment);
@@ -24,7 +24,7 @@ impl App {
         self.take_in(self.now);
     }
 
-    /// Keys that lead through the tour; `None` for all others.
+    /// Handles the keys that turn the tour's pages. Returns `None` for all others.
     pub(super) fn turn_page(&mut self, key: Key) -> Option<Effect> {
         let Mode::Tour(number) = self.shell.mode else {
             return None;

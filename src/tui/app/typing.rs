@@ -1,4 +1,4 @@
-//! A key, or a text that is pasted: what it means in the present mode.
+//! Dispatches keys and pasted text according to the mode.
 
 use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::Action;
@@ -9,7 +9,7 @@ use crate::wording::words;
 use std::time::Duration;
 
 impl App {
-    /// A key was pressed.
+    /// Handles a key and returns its effect on the terminal.
     pub(crate) fn key(&mut self, key: Key, now: Duration) -> Effect {
         if let Some(before) = &mut self.shell.before {
             before.is_past = true;
@@ -28,13 +28,13 @@ impl App {
             leaving => leaving,
         };
         self.focus();
-        // Another view, scene or list may have fewer lines than what was scrolled before.
+        // Another view, scene or list may have fewer lines than the previous scroll position.
         self.scroll_by(0);
         effect
     }
 
-    /// What a key asks for: of the pane that is looked at, or of the workbench; and where neither takes it, of the
-    /// drawing beside them.
+    /// Returns the action bound to a key: in the current view, globally, or else in a visible
+    /// drawing next to it.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
         if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun =
@@ -47,7 +47,7 @@ impl App {
         own.or_else(|| keymap.action(key, View::Motion).filter(|_| has_drawing()))
     }
 
-    /// A key that means nothing says so, where it could have meant something.
+    /// Reports a key without meaning in normal mode.
     fn nothing_meant(&mut self, key: Key) -> Effect {
         if self.shell.mode == Mode::Normal {
             let help = self.shell.keymap.told(Action::Help);
@@ -56,7 +56,7 @@ impl App {
         Effect::Show
     }
 
-    /// What a line did not take is said, and not left out in silence.
+    /// Reports input that the current line rejected.
     fn say_what_is_refused(&mut self) {
         let line = self.shell.mode.line();
         if let Some(why) = line.and_then(EditLine::take_refusal) {
@@ -64,7 +64,7 @@ impl App {
         }
     }
 
-    /// Text was pasted: it is typed where there is a line to type in, and nothing elsewhere.
+    /// Types pasted text into the current line; ignores it if there is no line.
     pub(crate) fn paste(&mut self, text: &str) {
         if let Mode::Pick(picker) = &mut self.shell.mode {
             text.chars().for_each(|c| picker.push(c));
@@ -81,11 +81,11 @@ impl App {
             _ => {}
         }
         self.say_what_is_refused();
-        // What is found now may have fewer lines.
+        // The new matches may have fewer lines.
         self.scroll_by(0);
     }
 
-    /// What a key means in a mode of its own; `None` for those that mean the same everywhere.
+    /// Handles a key of the current mode. Returns `None` for keys with the same meaning everywhere.
     fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         match self.shell.mode {
             Mode::Normal => None,
@@ -111,7 +111,7 @@ impl App {
         }
     }
 
-    /// Keys of a line that is typed to its end before anything follows from it.
+    /// Handles a key of an input line that takes effect only on Enter.
     fn line_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let is_going = matches!(self.shell.mode, Mode::GoTo(_));
         let line = self.shell.mode.line()?;
@@ -122,7 +122,7 @@ impl App {
                 return Some(Effect::Show);
             }
             Key::Escape => self.shell.mode = Mode::Normal,
-            // Whoever asks for a place twice asks for the first.
+            // `gg` scrolls to the top, as in vi.
             Key::Char('g') if is_going && line.text().is_empty() => {
                 self.shell.mode = Mode::Normal;
                 self.scroll_by(isize::MIN);
@@ -135,7 +135,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// The line was typed to its end.
+    /// Applies the completed line.
     fn accept_line(&mut self, now: Duration) {
         match &self.shell.mode {
             Mode::GoTo(line) => self.accept_coordinate(&line.clone(), now),
@@ -147,7 +147,7 @@ impl App {
         }
     }
 
-    /// Whether the mode lets an action through that is none of its own.
+    /// Returns `true` if the mode permits an action that is not its own.
     pub(super) fn takes(&self, action: Action) -> bool {
         match self.shell.mode {
             Mode::Tour(_) => screens::allows(action),
@@ -155,7 +155,7 @@ impl App {
         }
     }
 
-    /// One level back: out of a mode, or a study is stopped.
+    /// Goes one level back: closes a mode, drops staged edits, stops a study or ends a comparison.
     pub(super) fn back(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode
             && help.show_all()

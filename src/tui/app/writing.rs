@@ -1,4 +1,4 @@
-//! Asking for the name of a file.
+//! Asks for file names and for permission to write.
 
 use super::{App, Effect, Mode};
 use crate::files::{from_home, places};
@@ -9,7 +9,8 @@ use crate::tui::document::writing::{Prompt, SavedContent};
 use std::time::Duration;
 
 impl App {
-    /// Keys that answer whether to write over a file; `None` for those that mean the same everywhere.
+    /// Handles the key that permits a write. Returns `None` for keys with the same meaning
+    /// everywhere.
     pub(super) fn confirm_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let Mode::Confirm(question) = &self.shell.mode else {
             return None;
@@ -27,7 +28,7 @@ impl App {
         Some(Effect::Show)
     }
 
-    /// The name of a file was typed; an old one is not written over unasked.
+    /// Writes to the typed file, without permission to overwrite an existing one.
     pub(super) fn accept_file(&mut self, prompt: Prompt) {
         let typed = prompt.name.text().trim();
         self.shell.mode = Mode::Normal;
@@ -37,7 +38,7 @@ impl App {
         }
     }
 
-    /// Asks for the name of a file, with a proposal.
+    /// Asks for a file name, with a proposal.
     pub(super) fn ask_for_file(&mut self, content: SavedContent, proposal: &str) {
         let name = EditLine::for_file(proposal);
         self.shell.mode = Mode::FileName(Prompt { content, name });

@@ -1,4 +1,4 @@
-//! What the motion view shows, and how large.
+//! Switches the motion view's layers, zooms and pans.
 
 use super::App;
 use crate::Vec2;
@@ -42,7 +42,8 @@ impl App {
         });
     }
 
-    /// Forces are found while they are shown, and where nothing acts there are none.
+    /// Shows or hides the force arrows. Forces are computed only while shown; reports if no loads
+    /// act.
     fn switch_forces(&mut self) {
         let acts = self.player.open_scene.solver().has_forces();
         self.switch(Layer::Forces, words().loads_and_forces());
@@ -58,7 +59,7 @@ impl App {
         }
     }
 
-    /// Makes the drawing larger or smaller about a place that lies so far from its middle.
+    /// Zooms the drawing about a point at `from_middle` from its centre.
     pub(super) fn zoom_at(&mut self, from_middle: Vec2, larger: bool) {
         let steps = if larger { 1 } else { -1 };
         let open_scene = &self.player.open_scene;
@@ -77,7 +78,7 @@ impl App {
         }
     }
 
-    /// Brings what the motion view shows of the whole motion up to date: after every key, and before a frame.
+    /// Updates the motion view's data on the whole motion. Runs after every key and before a frame.
     pub(crate) fn focus(&mut self) {
         self.viewport.focus(&self.player.open_scene, &self.followed);
     }

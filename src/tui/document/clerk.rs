@@ -1,10 +1,12 @@
-//! What is done to files, apart from the screen: a disk that hangs keeps no key waiting.
+//! Runs file I/O on a background thread, so that a slow disk never blocks input.
 //!
-//! A job is done by a thread, one after the other; what follows from it comes back as something to do to the
-//! workbench. Whoever gives a job waits a moment for it, so that on a disk as they are nothing is ever half
-//! done between two keys; on one that hangs everything else goes on. A search, which may take long and touches
-//! no file, has a thread of its own, so that nothing to be written waits behind it. Without threads, as tests
-//! have it, a job is done where it is given.
+//! One thread runs the file jobs in order. Each job returns a completion, which changes the
+//! workbench on the UI thread. After giving a job, the UI thread waits briefly for it, so that on a
+//! normal disk no job is pending between two keys. If a disk hangs, the workbench continues without
+//! it.
+//!
+//! A search may take long and touches no file, so each has its own thread and delays no write.
+//! Without threads, as in tests, a job runs where it is given.
 
 use crate::wording::words;
 use rustix::io::{Errno, read, write};
@@ -19,31 +21,31 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Whoever gives jobs.
+/// The owner of jobs, which receives their completions.
 pub(crate) trait Client {
-    /// A job ended as it never should.
+    /// Reports a job that panicked.
     fn fail(&mut self, error: &Error);
 }
 
-/// What follows from a job, for whoever gave it.
+/// The completion of a job, to be run on its owner.
 pub(crate) type Then<T> = Box<dyn FnOnce(&mut T, Duration) + Send>;
-/// What is done apart from the screen.
+/// A job, to be run on a background thread.
 type Job<T> = Box<dyn FnOnce() -> Then<T> + Send>;
 
-/// How long a job is waited for: too short to be felt, and long enough for a disk that does not hang.
+/// Maximum time to wait for a job: too short to notice, but enough for a responsive disk.
 const GRACE: Duration = Duration::from_millis(60);
-/// How long leaving waits for what is still being written.
+/// Maximum time to wait for pending writes at exit.
 const FAREWELL: Duration = Duration::from_secs(1);
 
-/// Does jobs, here or apart.
+/// Runs jobs, in place or on background threads.
 pub(crate) struct Clerk<T> {
     desk: Option<Desk<T>>,
-    /// What was done here.
+    /// The completions of jobs run in place.
     done: VecDeque<Then<T>>,
 }
 
 impl<T> Default for Clerk<T> {
-    /// Jobs are done where they are given.
+    /// Creates a runner that runs jobs in place.
     fn default() -> Self {
         Clerk {
             desk: None,
@@ -52,29 +54,29 @@ impl<T> Default for Clerk<T> {
     }
 }
 
-/// Which thread a job was given to.
+/// The kind of thread that runs a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Apart {
-    /// The one that does what is done to files, in order.
+    /// The thread for file jobs, which runs them in order.
     Files,
-    /// One of its own.
+    /// A thread for a single search.
     Search,
 }
 
-/// Where jobs are done apart.
+/// The background threads and their pending jobs.
 struct Desk<T> {
     jobs: Sender<Job<T>>,
     out: OutTray<T>,
     done: Receiver<(Apart, Then<T>)>,
-    /// Rings when a job is done.
+    /// Becomes readable when a job is done.
     bell: UnixStream,
-    /// Jobs on files and searches that are not done yet, and until when they are waited for.
+    /// Numbers of pending file jobs and searches, and the time until which to wait for them.
     files: usize,
     searches: usize,
     patience: Instant,
 }
 
-/// Where what follows from a job is laid, with the rope of the bell.
+/// Sends completions to the UI thread and wakes it.
 struct OutTray<T> {
     finished: Sender<(Apart, Then<T>)>,
     rope: Arc<UnixStream>,
@@ -90,19 +92,19 @@ impl<T> Clone for OutTray<T> {
 }
 
 impl<T: Client + 'static> OutTray<T> {
-    /// Does a job and lays down what follows; whether anybody still wants to know.
+    /// Runs a job and sends its completion. Returns `false` if the owner is gone.
     fn serve(&self, apart: Apart, job: Job<T>) -> bool {
         let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
-        // A bell that is full rings already; whoever has left wants to know of nothing more.
+        // A full socket already wakes the UI thread.
         self.finished.send((apart, then)).is_ok() && rings(write(&*self.rope, &[1]))
     }
 }
 
 impl<T: Client + 'static> Clerk<T> {
-    /// With a thread of its own.
+    /// Creates a runner with a thread for file jobs.
     ///
     /// # Errors
-    /// What the system says.
+    /// Returns an error if the system creates no socket pair or thread.
     pub(crate) fn apart() -> io::Result<Clerk<T>> {
         let (bell, rope) = UnixStream::pair()?;
         bell.set_nonblocking(true)?;
@@ -136,13 +138,13 @@ impl<T: Client + 'static> Clerk<T> {
         })
     }
 
-    /// Gives a job on files.
+    /// Submits a file job.
     pub(crate) fn give(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
         };
-        // One that hangs is not waited for again with every key.
+        // The wait is not repeated with every key while a job hangs.
         if desk.files == 0 {
             desk.patience = Instant::now() + GRACE;
         }
@@ -152,7 +154,7 @@ impl<T: Client + 'static> Clerk<T> {
         }
     }
 
-    /// Gives a search, which is not waited for when the program is left.
+    /// Submits a search. The program does not wait for it at exit.
     pub(crate) fn search(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
@@ -174,12 +176,12 @@ impl<T: Client + 'static> Clerk<T> {
         {
             desk.searches += 1;
         } else if let Some(job) = taken(&job) {
-            // The system creates no thread: it is done here.
+            // The system creates no thread, so the job runs here.
             self.done.push_back(job());
         }
     }
 
-    /// What follows from the next job that was done, waited for a moment.
+    /// Returns the completion of the next finished job, after a short wait for it.
     pub(crate) fn next(&mut self) -> Option<Then<T>> {
         if let Some(then) = self.done.pop_front() {
             return Some(then);
@@ -190,14 +192,14 @@ impl<T: Client + 'static> Clerk<T> {
         desk.take(patience)
     }
 
-    /// The bell was heard. What it told of is there before it rings.
+    /// Clears the wake-up signal. Completions are sent before the signal.
     pub(crate) fn hush(&self) {
         if let Some(desk) = &self.desk {
             let _ = read(&desk.bell, &mut [0; 64]);
         }
     }
 
-    /// Readable when a job is done.
+    /// Returns a file descriptor that becomes readable when a job is done.
     pub(crate) fn bell(&self) -> Option<BorrowedFd<'_>> {
         self.desk.as_ref().map(|desk| desk.bell.as_fd())
     }
@@ -215,7 +217,7 @@ impl<T> Desk<T> {
 }
 
 impl<T> Drop for Clerk<T> {
-    /// What was to be done to files before leaving is done, if that is not for ever.
+    /// Waits for pending file jobs, up to a time limit.
     fn drop(&mut self) {
         let end = Instant::now() + FAREWELL;
         while let Some(desk) = self.desk.as_mut().filter(|desk| desk.files > 0) {
@@ -244,7 +246,7 @@ fn rings(written: Result<usize, Errno>) -> bool {
     matches!(written, Ok(_) | Err(Errno::AGAIN | Errno::INTR))
 }
 
-/// What follows from a job that panicked: the rest goes on.
+/// Returns the completion of a panicked job. The thread continues with other jobs.
 fn broken<T: Client>() -> Then<T> {
     Box::new(|client: &mut T, _| client.fail(&Error::other(words().broken_there())))
 }

@@ -1,10 +1,10 @@
-//! What two texts differ by, line by line.
+//! Computes the difference of two texts, line by line.
 
-/// Longer differences are not sorted out: the old lines come first, then the new ones.
+/// Maximum number of line pairs to compare. A longer difference lists all old lines, then all new
+/// ones.
 const MOST_PAIRS: usize = 1 << 22;
 
-/// The lines that are not the same, each with its number: those of the old text after `-`, those of the new
-/// one after `+`.
+/// Returns the differing lines with their numbers: old lines after `-`, new lines after `+`.
 pub(crate) fn difference(old: &str, new: &str) -> Vec<String> {
     let (old, new): (Vec<&str>, Vec<&str>) = (old.lines().collect(), new.lines().collect());
     let same = |pair: &(&&str, &&str)| pair.0 == pair.1;
@@ -27,13 +27,14 @@ pub(crate) fn difference(old: &str, new: &str) -> Vec<String> {
     told
 }
 
-/// The longest sequence of lines that both have, as pairs of their numbers.
+/// Returns the longest common subsequence of lines, as pairs of indices; empty if the texts are too
+/// long.
 fn common(old: &[&str], new: &[&str]) -> Vec<(usize, usize)> {
     let width = new.len() + 1;
     if old.len().saturating_mul(width) > MOST_PAIRS {
         return Vec::new();
     }
-    // How many lines the rests from (i, j) on have in common.
+    // `count[i * width + j]` is the number of common lines of the rests from `(i, j)`.
     let mut count = vec![0_u32; (old.len() + 1) * width];
     for i in (0..old.len()).rev() {
         for j in (0..new.len()).rev() {

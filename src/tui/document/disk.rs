@@ -1,4 +1,4 @@
-//! The scene's file on the disk: whether somebody else has written it since.
+//! Detects that another program has written the scene's file.
 
 use crate::files::{Stamp, read_file};
 use crate::scene::LARGEST_FILE;
@@ -6,24 +6,24 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-/// What some editors put in front of a text.
+/// The byte order mark that some editors write before a text.
 pub(crate) const BYTE_ORDER_MARK: &str = "\u{feff}";
-/// While frames follow each other the file is looked at no more often.
+/// Minimum time between checks of the file while frames follow each other.
 const PAUSE: Duration = Duration::from_secs(1);
 
-/// What has become of the file.
+/// The state of the file on disk.
 #[derive(Debug)]
 pub(crate) enum News {
-    /// It holds these bytes, which may be others than before.
+    /// The file exists with these contents, changed or not.
     Written(Vec<u8>),
-    /// It is there no more.
+    /// The file does not exist.
     Gone,
-    /// It cannot be read, and why.
+    /// The file cannot be read.
     Unreadable(io::Error),
 }
 
 impl News {
-    /// What a file holds now.
+    /// Reads the state of a file.
     pub(crate) fn of(path: &Path) -> News {
         match read_file(path, LARGEST_FILE + BYTE_ORDER_MARK.len()) {
             Ok(bytes) => News::Written(bytes),
@@ -33,40 +33,41 @@ impl News {
     }
 }
 
-/// The file as it was when it was last looked at.
+/// The file as of its last check.
 #[derive(Debug)]
 pub(crate) struct Disk {
     path: PathBuf,
-    /// The file behind all links.
+    /// The file's path with all links resolved.
     place: Option<PathBuf>,
-    /// `None` before the first look: that tells what was written between reading the file and now.
+    /// The stamp of the last check. `None` before the first check, which reports any write since the
+    /// file was read.
     stamp: Option<Option<Stamp>>,
     looked: Option<Duration>,
-    /// Whether somebody is looking.
+    /// `true` while a check is running.
     looking: bool,
-    /// Whether something was written meanwhile, which that look may not have seen.
+    /// `true` if the file was written during a check, which may have missed it.
     missed: bool,
 }
 
-/// A look at the file, which may take long.
+/// A check of the file, which may take long.
 #[derive(Debug)]
 pub(crate) struct DiskLook {
     path: PathBuf,
     before: Option<Option<Stamp>>,
 }
 
-/// What was seen.
+/// The outcome of a check.
 #[derive(Debug)]
 pub(crate) struct SeenFile {
     pub(crate) path: PathBuf,
     place: Option<PathBuf>,
     stamp: Option<Stamp>,
-    /// Where it is another than before.
+    /// The state of the file, if its stamp has changed.
     pub(crate) news: Option<News>,
 }
 
 impl Disk {
-    /// A file that was just read or written.
+    /// Creates the state of a file that was just read or written.
     pub(crate) fn new(path: &Path) -> Disk {
         Disk {
             path: path.to_owned(),
@@ -82,12 +83,13 @@ impl Disk {
         &self.path
     }
 
-    /// The file behind all links, once it was looked at.
+    /// Returns the path with all links resolved, after the first check.
     pub(crate) fn place(&self) -> Option<&Path> {
         self.place.as_deref()
     }
 
-    /// A look at it, where one is due: `at_once`, or after a while. While somebody is looking it is owed.
+    /// Returns a check if one is due: immediately if `at_once`, or else after a pause. During a
+    /// running check, an immediate one is postponed.
     pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<DiskLook> {
         self.missed |= self.looking && at_once;
         let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
@@ -102,11 +104,12 @@ impl Disk {
         })
     }
 
-    /// Takes in what was seen. What was not attended to the next look will tell again. Whether one is owed.
+    /// Stores the outcome of a check. If it was not `attended`, the next check reports it again.
+    /// Returns `true` if another check is due.
     #[must_use]
     pub(crate) fn see(&mut self, seen: &SeenFile, attended: bool) -> bool {
         self.looking = false;
-        // Where a file is gone, one may come again.
+        // A deleted file may reappear, so its path is kept.
         if seen.place.is_some() {
             self.place.clone_from(&seen.place);
         }
@@ -120,7 +123,7 @@ impl Disk {
 impl DiskLook {
     pub(crate) fn run(self) -> SeenFile {
         let stamp = Stamp::of(&self.path);
-        // What was not there from the beginning is not gone.
+        // A file missing since the first check was not deleted.
         let is_new = self.before.unwrap_or(None) != stamp;
         SeenFile {
             place: self.path.canonicalize().ok(),
@@ -131,7 +134,7 @@ impl DiskLook {
     }
 }
 
-/// The text of a scene, without the mark in front of it.
+/// Returns a text without its byte order mark.
 pub(crate) fn unmarked(bytes: &[u8]) -> &[u8] {
     bytes
         .strip_prefix(BYTE_ORDER_MARK.as_bytes())

@@ -1,8 +1,8 @@
-//! What becomes of the linkage when the text of its scene is changed.
+//! Solves the linkage again after an edit of its scene's text.
 //!
-//! The assembly that is shown stays. Where the changed text would open in another one, or does not say in
-//! which, its `[start]` is brought up to date as a part of the change: then the text always opens in the
-//! assembly that is seen, after it is saved, taken back or recovered too.
+//! The shown assembly is kept. If the edited text would open in another assembly, or does not
+//! determine one, its `[start]` is updated as a part of the edit. The text then always opens in the
+//! shown assembly, also after saving, undo or recovery.
 
 use crate::scene::{Scene, figure};
 use crate::solver::{Condition, Fault, Order, Solver};
@@ -10,15 +10,15 @@ use crate::tui::Opened;
 use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 
-/// The scene after a change.
+/// The scene after an edit.
 #[derive(Debug)]
 pub(crate) struct Edited {
     pub(crate) opened: Opened,
-    /// Whether `[start]` was brought up to date.
+    /// `true` if `[start]` was updated.
     pub(crate) started: bool,
 }
 
-/// Opens the changed text in the assembly that is shown; in words why that cannot be.
+/// Opens the edited text in the shown assembly. The error is a message.
 pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
     let scene = parsed(open_scene, text)?;
     let plain = Solver::new(&scene.mechanism);
@@ -49,7 +49,7 @@ pub(crate) fn keeping(open_scene: &OpenScene, text: &str) -> Result<Edited, Stri
     })
 }
 
-/// Opens a text in the assembly that it says.
+/// Opens a text in the assembly that the text determines.
 pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<Edited, String> {
     let scene = parsed(open_scene, text)?;
     match Solver::new(&scene.mechanism) {
@@ -58,7 +58,8 @@ pub(crate) fn reopened(open_scene: &OpenScene, text: &str) -> Result<Edited, Str
     }
 }
 
-/// Whether the text opens in the assembly that is shown: not where the command line chose another.
+/// Returns `true` if the text opens in the shown assembly. The command line may have chosen another
+/// one.
 pub(crate) fn says_what_is_shown(open_scene: &OpenScene) -> bool {
     let scene = open_scene.scene();
     let plain = Solver::new(&scene.mechanism);
@@ -80,8 +81,8 @@ fn parsed(open_scene: &OpenScene, text: &str) -> Result<Scene, String> {
         .map_err(|faults| faults.first_words().to_owned())
 }
 
-/// Where to look for the assembly that is shown: where the changed scene opens, if it gets there, else
-/// where it opened so far.
+/// Returns the coordinate at which to compare assemblies: the edited scene's initial coordinate if
+/// it is reachable, or else the previous one.
 fn seen_at(open_scene: &OpenScene, changed: &Scene) -> f64 {
     let mut state = open_scene.solver().state();
     let mut reaches =
@@ -93,7 +94,7 @@ fn seen_at(open_scene: &OpenScene, changed: &Scene) -> f64 {
         .unwrap_or(open_scene.at())
 }
 
-/// Whether two solvers of a scene are in the same assembly where it opens.
+/// Returns `true` if two solvers of a scene have the same assembly at its initial coordinate.
 fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
     let at = scene.mechanism.driver().start;
     let (mut here, mut there) = (one.state(), other.state());
@@ -104,7 +105,7 @@ fn agree(scene: &Scene, one: &Solver, other: &Solver) -> bool {
     !closes.contains(&Condition::NoAssembly) && scene.agree(&here, &there)
 }
 
-/// What hinders it, in as few words as a line has room for.
+/// Formats a fault as a short line.
 fn hindrance(scene: &Scene, fault: &Fault) -> String {
     match fault {
         Fault::Open { point, gap, .. } => {
@@ -196,7 +197,7 @@ mod nudges {
         })
     }
 
-    /// A small step for a value.
+    /// Returns a small step for a value.
     fn nudge(value: &Value, size: f64) -> f64 {
         let own = if value.number == 0.0 {
             size
@@ -210,7 +211,8 @@ mod nudges {
         }
     }
 
-    /// How far any point is moved, for the size of the linkage, at most, over the motion.
+    /// Returns the maximum displacement of any point over the motion, relative to the size of the
+    /// linkage.
     fn farthest(one: &OpenScene, other: &Solver) -> f64 {
         let (low, high) = one.solver().motion().range.ends();
         let size = one.reach().bounds().size().norm();
@@ -267,6 +269,7 @@ mod nudges {
         }
     }
 
-    /// Of the size of the linkage; another assembly would be farther off.
+    /// Maximum displacement relative to the size of the linkage; another assembly would be farther
+    /// off.
     const MOST_MOVED: f64 = 0.1;
 }

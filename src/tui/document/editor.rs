@@ -1,31 +1,30 @@
-//! The values of the open scene as they are edited: which one the cursor is on, by how much a key moves
-//! it, and which differ from the file.
+//! The values of the open scene as edited: cursor, step size, and differences from the file.
 
 use crate::scene::{Measure, Scene, Value};
 use crate::tui::document::gathered::{DroppedEdits, GatheredEdits};
 use crate::tui::document::history::History;
 use std::collections::HashMap;
 
-/// A step by which a value is moved: 1, 2 or 5 times a power of ten, in the value's own unit.
+/// A step for nudging a value: 1, 2 or 5 times a power of ten, in the value's own unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Notch {
     digit: u8,
     exponent: i32,
 }
 
-/// Beyond these powers of ten a step moves nothing that can be built.
+/// Exponents of the finest and coarsest step. Steps beyond have no practical effect.
 const FINEST: i32 = -12;
 const COARSEST: i32 = 12;
-/// A value is moved by about this part of it.
+/// Size of a step relative to the value.
 const PART: f64 = 0.01;
-/// An angle is moved by whole degrees, whatever it is.
+/// The step of an angle: one degree, independent of the value.
 const DEGREE: Notch = Notch {
     digit: 1,
     exponent: 0,
 };
 
 impl Notch {
-    /// The step next below a size.
+    /// Returns the largest step that is at most `size`.
     fn below(size: f64) -> Notch {
         let exponent = size.log10().floor();
         #[expect(
@@ -33,7 +32,7 @@ impl Notch {
             reason = "between two small integers"
         )]
         let exponent = exponent.clamp(f64::from(FINEST), f64::from(COARSEST)) as i32;
-        // A size that is a step already is not missed by rounding.
+        // The factor keeps rounding from missing a size that equals a step.
         let lead = size / 10.0_f64.powi(exponent) * (1.0 + 1e-9);
         let digit = [5, 2].into_iter().find(|&d| lead >= f64::from(d));
         Notch {
@@ -42,9 +41,9 @@ impl Notch {
         }
     }
 
-    /// The step, as the decimal says it.
+    /// Returns the step, rounded as its decimal notation.
     pub(crate) fn size(self) -> f64 {
-        // A digit and a small exponent are always a number.
+        // A digit with a small exponent always parses.
         self.to_string().parse().unwrap_or(1.0)
     }
 
@@ -85,35 +84,35 @@ impl std::fmt::Display for Notch {
     }
 }
 
-/// The part of the scene that a value belongs to: `r2` of `r2 com x`.
+/// Returns the name of the part that a value belongs to: `r2` of `r2 com x`.
 pub(crate) fn part_of(value: &Value) -> &str {
     value.name.split(' ').next().unwrap_or_default()
 }
 
-/// The scene as the file has it, what was changed, and where in the list of values the person is.
+/// The saved scene, the changes since, and the cursor in the list of values.
 #[derive(Debug)]
 pub(crate) struct Editor {
-    /// The text as it was opened or saved last.
+    /// The text as last opened or saved.
     saved: String,
-    /// Its values by their names.
+    /// The values of the saved text, by name.
     filed: HashMap<String, Value>,
-    /// The values of the scene that is shown.
+    /// The values of the shown scene.
     values: Vec<Value>,
     /// The row under the cursor.
     cursor: usize,
-    /// The step that fits the value under the cursor, as it was when the cursor came to it.
+    /// The default step for the value under the cursor, computed when the cursor reached it.
     fitting: Notch,
-    /// Steps that the person has chosen, each for all values that measure the same.
+    /// The steps chosen by the user, each for all values with the same measure.
     chosen: Vec<(Measure, Notch)>,
     pub(crate) history: History,
-    /// Edits that wait to be made together; none while each is made at once.
+    /// The staged edits; `None` while each edit is applied at once.
     pub(crate) gathered: Option<GatheredEdits>,
-    /// Those that were dropped last, to be had back.
+    /// The last dropped edits, which can be restored.
     dropped: Option<DroppedEdits>,
 }
 
 impl Editor {
-    /// Nothing is changed in a scene that has just been opened.
+    /// Creates an editor for an opened scene without changes.
     pub(crate) fn new(scene: &Scene) -> Editor {
         Editor {
             saved: scene.text().to_owned(),
@@ -128,8 +127,8 @@ impl Editor {
         }
     }
 
-    /// Gathers no more: what waited is dropped, but not forgotten, and is so much; `None` where nothing was gathered.
-    /// `text` is that of the scene.
+    /// Ends staging and returns the number of dropped edits; `None` if no staging was active. The
+    /// edits can be restored while the scene has the text `text`.
     pub(crate) fn drop_gathered(&mut self, text: &str) -> Option<usize> {
         let edits = self.gathered.take()?;
         let count = edits.len();
@@ -140,7 +139,7 @@ impl Editor {
         Some(count)
     }
 
-    /// What was dropped waits again, where the scene has the text that it had then; whether it does.
+    /// Restores the dropped edits if the scene has the same text as then. Returns `true` if it did.
     pub(crate) fn bring_gathered_back(&mut self, text: &str) -> bool {
         let dropped = self.dropped.take_if(|dropped| dropped.text == text);
         let is_any = dropped.is_some();
@@ -150,23 +149,23 @@ impl Editor {
         is_any
     }
 
-    /// The file holds this text now.
+    /// Notes that the file holds `text` now.
     pub(crate) fn filed(&mut self, text: &str) {
         text.clone_into(&mut self.saved);
         self.filed.clear();
     }
 
-    /// The text that the file holds.
+    /// Returns the text that the file holds.
     pub(crate) fn saved(&self) -> &str {
         &self.saved
     }
 
-    /// Whether the scene that is shown is not the one in the file.
+    /// Returns `true` if a scene differs from the file.
     pub(crate) fn is_changed(&self, scene: &Scene) -> bool {
         scene.text() != self.saved
     }
 
-    /// Lists the values of the scene that is shown.
+    /// Lists the values of the shown scene.
     pub(crate) fn list(&mut self, scene: &Scene) {
         let before = self.value().map(|v| v.name.clone());
         self.values = scene.values();
@@ -178,7 +177,7 @@ impl Editor {
             let filed = filed.unwrap_or_default().into_iter();
             self.filed = filed.map(|value| (value.name.clone(), value)).collect();
         }
-        // Rows may have come or gone above the cursor: it stays with its value.
+        // Rows above the cursor may have been added or removed: the cursor stays on its value.
         let same = before.and_then(|name| self.values.iter().position(|v| v.name == name));
         match same {
             Some(row) => self.cursor = row,
@@ -190,12 +189,12 @@ impl Editor {
         &self.values
     }
 
-    /// The value of a name, and its row.
+    /// Returns the row of a value by its name.
     pub(crate) fn row(&self, name: &str) -> Option<usize> {
         self.values.iter().position(|value| value.name == name)
     }
 
-    /// The value of a name.
+    /// Returns a value by its name.
     pub(crate) fn named(&self, name: &str) -> Option<&Value> {
         self.values.get(self.row(name)?)
     }
@@ -204,29 +203,29 @@ impl Editor {
         self.cursor
     }
 
-    /// The value under the cursor.
+    /// Returns the value under the cursor.
     pub(crate) fn value(&self) -> Option<&Value> {
         self.values.get(self.cursor)
     }
 
-    /// The value as the file has it, where that is another.
+    /// Returns the file's version of a value, if it differs.
     pub(crate) fn in_file(&self, value: &Value) -> Option<&Value> {
         let filed = self.filed.get(&value.name)?;
         (filed.literal != value.literal || filed.unit != value.unit).then_some(filed)
     }
 
-    /// Whether the file has no such value.
+    /// Returns `true` if the file has no such value.
     pub(crate) fn is_new(&self, value: &Value) -> bool {
         !self.filed.contains_key(&value.name)
     }
 
-    /// How many values differ from the file.
+    /// Returns the number of values that differ from the file.
     pub(crate) fn changes(&self) -> usize {
         let changed = |v: &&Value| self.in_file(v).is_some() || self.is_new(v);
         self.values.iter().filter(changed).count()
     }
 
-    /// What to write for a value: as the file has it, where the number is the same.
+    /// Returns the text to write for a value: the file's notation if the number and unit are equal.
     pub(crate) fn as_filed(&self, value: &Value, text: String) -> String {
         let number = |text: &str| {
             let number = text.split(' ').next().unwrap_or(text);
@@ -251,7 +250,7 @@ impl Editor {
         }
     }
 
-    /// Puts the cursor on a row.
+    /// Moves the cursor to a row.
     pub(crate) fn go_to(&mut self, row: usize) {
         let last = self.values.len().saturating_sub(1);
         if row.min(last) != self.cursor {
@@ -259,8 +258,8 @@ impl Editor {
         }
     }
 
-    /// Puts the cursor on the first value of the next part of the scene, or of this one or the one before; it stays where
-    /// there is none.
+    /// Moves the cursor to the first value of the next part, or back to the first value of this or
+    /// the previous part. Does not move if there is none.
     pub(crate) fn go_to_part(&mut self, next: bool) {
         let begins = |row: &usize| {
             *row == 0 || part_of(&self.values[*row]) != part_of(&self.values[*row - 1])
@@ -280,8 +279,8 @@ impl Editor {
         self.fit();
     }
 
-    /// Moves the cursor to the next value whose name has `text` in it, from the present one on, or from
-    /// the one behind it. False if there is none.
+    /// Moves the cursor to the next value whose name contains `text`, ignoring case. Starts at the
+    /// current value, or after it if `behind`. Returns `false` if there is none.
     pub(crate) fn seek(&mut self, text: &str, behind: bool) -> bool {
         let sought = text.to_ascii_lowercase();
         let count = self.values.len();
@@ -299,14 +298,14 @@ impl Editor {
         true
     }
 
-    /// Need the step that fits the value under the cursor.
+    /// Computes the default step for the value under the cursor.
     pub(crate) fn fit(&mut self) {
         let Some(value) = self.value() else { return };
         let own = value.number.abs();
         let size = if own > 0.0 {
             own
         } else {
-            // Of a coordinate that is nothing: by what others of the kind are.
+            // For a zero coordinate, the largest value of a similar measure sets the scale.
             let others = self
                 .values
                 .iter()
@@ -320,7 +319,7 @@ impl Editor {
         };
     }
 
-    /// By how much a key moves the value under the cursor.
+    /// Returns the step for the value under the cursor.
     pub(crate) fn notch(&self) -> Notch {
         let chosen = |value: &Value| {
             let mut chosen = self.chosen.iter();
@@ -330,12 +329,12 @@ impl Editor {
         chosen.map_or(self.fitting, |(_, notch)| *notch)
     }
 
-    /// Moves values by less from now on.
+    /// Decreases the step.
     pub(crate) fn finer(&mut self) {
         self.choose(self.notch().finer());
     }
 
-    /// Moves values by more from now on.
+    /// Increases the step.
     pub(crate) fn coarser(&mut self) {
         self.choose(self.notch().coarser());
     }
@@ -349,7 +348,7 @@ impl Editor {
     }
 }
 
-/// Whether two values are of a kind: all that are measured in the scene's unit are.
+/// Returns `true` if two measures are comparable: all measures in the scene's length unit are.
 fn is_alike(one: Measure, other: Measure) -> bool {
     let in_length = |m| matches!(m, Measure::Length | Measure::Coordinate | Measure::Start);
     one == other || (in_length(one) && in_length(other))

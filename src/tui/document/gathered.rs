@@ -1,6 +1,6 @@
-//! Edits that wait to be made together: what lies between them may be no linkage at all.
+//! Staged edits, applied together because the states between them may not close.
 
-/// What is to stand for some values, each by its name.
+/// The staged texts of some values, by the values' names.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct GatheredEdits {
     list: Vec<(String, String)>,
@@ -15,18 +15,18 @@ impl GatheredEdits {
         self.list.is_empty()
     }
 
-    /// The edits in the order in which they were made.
+    /// Returns the edits as pairs of name and text, the latest last.
     pub(crate) fn list(&self) -> &[(String, String)] {
         &self.list
     }
 
-    /// What waits for a value.
+    /// Returns the staged text of a value.
     pub(crate) fn text(&self, name: &str) -> Option<&str> {
         let found = self.list.iter().find(|(of, _)| of == name);
         found.map(|(_, text)| text.as_str())
     }
 
-    /// Another text waits for a value, and none where it is the `present` one.
+    /// Stages another text for a value, or removes the staged one if `text` equals `present`.
     pub(crate) fn put(&mut self, name: &str, text: String, present: &str) {
         self.list.retain(|(of, _)| of != name);
         if text != present {
@@ -35,11 +35,11 @@ impl GatheredEdits {
     }
 }
 
-/// Edits that were dropped before they were made.
+/// Staged edits dropped before being applied.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct DroppedEdits {
     pub(crate) edits: GatheredEdits,
-    /// That of the scene then: what is edited since is taken back before they are.
+    /// The scene's text at that time. Later edits must be undone before these are restored.
     pub(crate) text: String,
 }
 

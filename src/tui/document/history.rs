@@ -1,21 +1,21 @@
-//! Edits of a text, to be taken back and made again.
+//! Undo and redo of text edits.
 
 use std::ops::Range;
 
-/// Steps that are remembered. Each holds only what it changed.
+/// Maximum number of steps kept. Each holds only its changed part.
 const MOST_STEPS: usize = 1000;
 
-/// What a step did; steps of the same kind that follow each other may be one.
+/// The kind of a step. Consecutive nudges of the same value merge into one step.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Deed {
-    /// The value of this name was moved by a key: further such steps join.
+    /// A nudge of the value with this name by a key.
     Nudge(String),
-    /// Anything else, by its name for people.
+    /// Any other edit, with its display name.
     Other(String),
 }
 
 impl Deed {
-    /// For people.
+    /// Returns the display name.
     pub(crate) fn name(&self) -> &str {
         match self {
             Deed::Nudge(name) | Deed::Other(name) => name,
@@ -23,7 +23,7 @@ impl Deed {
     }
 }
 
-/// A part of a text that was replaced.
+/// A replaced part of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct TextChange {
     at: usize,
@@ -45,12 +45,12 @@ impl TextChange {
         }
     }
 
-    /// The text before the change.
+    /// Returns the text before the change.
     fn back(&self, text: &str) -> String {
         replaced(text, self.at..self.at + self.new.len(), &self.old)
     }
 
-    /// The text after it.
+    /// Returns the text after the change.
     fn forth(&self, text: &str) -> String {
         replaced(text, self.at..self.at + self.old.len(), &self.new)
     }
@@ -64,7 +64,7 @@ fn replaced(text: &str, place: Range<usize>, by: &str) -> String {
     made
 }
 
-/// Bytes that two texts begin with, whole characters only.
+/// Returns the length of the common prefix in bytes, at a character boundary.
 fn common_prefix(one: &str, other: &str) -> usize {
     let pairs = one.char_indices().zip(other.chars());
     let mut different = pairs.skip_while(|((_, a), b)| a == b);
@@ -73,7 +73,7 @@ fn common_prefix(one: &str, other: &str) -> usize {
         .map_or(one.len().min(other.len()), |((at, _), _)| at)
 }
 
-/// Bytes that two texts end with.
+/// Returns the length of the common suffix in bytes.
 fn common_suffix(one: &str, other: &str) -> usize {
     let pairs = one.chars().rev().zip(other.chars().rev());
     pairs
@@ -82,7 +82,7 @@ fn common_suffix(one: &str, other: &str) -> usize {
         .sum()
 }
 
-/// The steps that led to a text, and those that were taken back.
+/// The steps that led to a text, and the undone steps.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct History {
     past: Vec<TextChange>,
@@ -90,12 +90,13 @@ pub(crate) struct History {
 }
 
 impl History {
-    /// Whether nothing was done yet, or all of it forgotten.
+    /// Returns `true` if no steps are recorded.
     pub(crate) fn is_empty(&self) -> bool {
         self.past.is_empty() && self.future.is_empty()
     }
 
-    /// A text became another. What was taken back cannot be made again. Whether it is one step with the last.
+    /// Records the change of a text and clears the undone steps. Returns `true` if it merged with
+    /// the last step.
     pub(crate) fn record(&mut self, before: &str, after: &str, deed: Deed) -> bool {
         self.future.clear();
         let joined = match (self.past.last(), &deed) {
@@ -117,32 +118,32 @@ impl History {
         joined.is_some()
     }
 
-    /// Steps in a row no longer join: something else was done between them.
+    /// Prevents later nudges from merging with the last step.
     pub(crate) fn part(&mut self) {
         if let Some(last) = self.past.last_mut() {
             last.deed = Deed::Other(last.deed.name().to_owned());
         }
     }
 
-    /// The text before the last step, and what that did.
+    /// Returns the text before the last step, and the step's name.
     pub(crate) fn before(&self, text: &str) -> Option<(String, &str)> {
         let last = self.past.last()?;
         Some((last.back(text), last.deed.name()))
     }
 
-    /// The text after the step that was taken back last, and what that does.
+    /// Returns the text after the last undone step, and the step's name.
     pub(crate) fn after(&self, text: &str) -> Option<(String, &str)> {
         let next = self.future.last()?;
         Some((next.forth(text), next.deed.name()))
     }
 
-    /// The last step was taken back.
+    /// Marks the last step as undone.
     pub(crate) fn taken_back(&mut self) {
         self.part();
         self.future.extend(self.past.pop());
     }
 
-    /// The step was made again.
+    /// Marks the last undone step as redone.
     pub(crate) fn made_again(&mut self) {
         self.past.extend(self.future.pop());
     }

@@ -1,5 +1,5 @@
-//! The scene as a text: edits and taking them back, its file, and what is kept of edits that are not saved.
-//! What is done to files is done apart from the screen's thread, by the `clerk`.
+//! The scene as text: edits with undo, its file, and recovery of unsaved edits. The `clerk` module
+//! runs file operations on a background thread.
 
 pub(crate) mod clerk;
 pub(crate) mod difference;
@@ -23,33 +23,33 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::SystemTime;
 
-/// The edits of this session, which only the clerk looks at.
+/// The recovery record of this session, accessed only by file jobs.
 pub(crate) type Kept = Arc<Mutex<recovery::Recovery>>;
 
-/// The scene as a text, in its file and beside it.
+/// The scene as text, with its file and its unsaved edits.
 #[derive(Debug)]
 pub(crate) struct Document {
-    /// The text of the scene as it was opened.
+    /// The text of the scene as opened.
     pub(crate) original: Arc<str>,
-    /// What is edited.
+    /// The editor of the scene's values.
     pub(crate) editor: Editor,
-    /// Its file, if it has one.
+    /// The scene's file, if it has one.
     pub(crate) disk: Option<Disk>,
-    /// Where unsaved edits are kept, if they are: the folder, this run of the program, and the place of this
-    /// scene.
+    /// The folder for unsaved edits, if there is one. `session` identifies this run of the program
+    /// and `recovery` the record of this scene.
     pub(crate) folder: Option<PathBuf>,
-    /// Whether there is no folder for it, and nobody has been told.
+    /// `true` if no folder for unsaved edits exists and the user does not know yet.
     pub(crate) is_homeless: bool,
     pub(crate) session: SessionRun,
     pub(crate) recovery: Option<Kept>,
-    /// Whether edits were taken up that were made on an older text than the file has.
+    /// `true` if the restored edits were based on an older text than the file's.
     pub(crate) older: bool,
-    /// Whether a file is being written.
+    /// `true` while a file is being written.
     pub(crate) storing: bool,
 }
 
 impl Document {
-    /// Of a scene that has just been opened.
+    /// Creates the document of an opened scene.
     pub(crate) fn new(scene: &Scene) -> Self {
         Document {
             original: scene.text().into(),
@@ -64,14 +64,14 @@ impl Document {
         }
     }
 
-    /// Another scene: nothing of the one before is edited. Where edits are kept stays.
+    /// Replaces the scene by another one without edits. The folder for unsaved edits stays.
     pub(crate) fn open(&mut self, scene: &Scene) {
         self.original = scene.text().into();
         self.editor = Editor::new(scene);
         self.older = false;
     }
 
-    /// The file is that of this scene from now on.
+    /// Sets the file to that of this origin.
     pub(crate) fn belong_to(&mut self, origin: &Origin) {
         self.disk = match origin {
             Origin::File(path) => Some(Disk::new(path)),
@@ -79,14 +79,14 @@ impl Document {
         };
     }
 
-    /// What its file is called.
+    /// Returns the name of the scene's file.
     pub(crate) fn file_name(&self) -> Option<String> {
         let path = self.disk.as_ref()?.path();
         let name = path.file_name().unwrap_or(path.as_os_str());
         Some(name.to_string_lossy().into_owned())
     }
 
-    /// The file behind all links, to be watched.
+    /// Returns the file to watch, with all links resolved.
     pub(crate) fn watched(&self) -> Option<&Path> {
         self.disk.as_ref().and_then(Disk::place)
     }

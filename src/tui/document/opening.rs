@@ -1,4 +1,4 @@
-//! Opening scenes from inside the workbench: what is wrong with one is said in a line.
+//! Opens scenes from inside the workbench. Errors are reduced to one line.
 
 use crate::files::read_file;
 use crate::quantity::check_figures;
@@ -10,17 +10,17 @@ use crate::tui::{Opened, Origin, TaskOrder};
 use crate::wording::words;
 use std::path::Path;
 
-/// Why a file cannot be opened.
+/// The reason why a file cannot be opened.
 #[derive(Debug)]
 pub(crate) enum Unopened {
-    /// It cannot be read; in words why.
+    /// The file cannot be read; the message says why.
     Unread(String),
-    /// What it holds is no scene.
+    /// The file's contents are no valid scene or task.
     Wrong(Diagnostics),
 }
 
 impl Unopened {
-    /// What is wrong, or wrong first.
+    /// Returns the first error message.
     pub(crate) fn first_words(self) -> String {
         match self {
             Unopened::Unread(why) => words().cannot_be_read(&why),
@@ -29,23 +29,23 @@ impl Unopened {
     }
 }
 
-/// Opens a preset; in words what is wrong with it, which a test keeps from happening.
+/// Opens a preset. The error is a message; a test checks that all presets open.
 pub(crate) fn preset(preset: &Preset) -> Result<Opened, String> {
     let origin = Origin::Preset(preset.name.to_owned());
     let fault = |d: Diagnostics| words().preset_cannot_be_opened(preset.name, &d.first_words());
     text(preset.text, origin).map_err(fault)
 }
 
-/// What a file holds.
+/// The contents of an opened file.
 #[derive(Debug)]
 pub(crate) enum OpenedFile {
     /// A scene.
     Scene(Box<Opened>),
-    /// A task whose linkages are to be looked for.
+    /// A synthesis task.
     Task(Box<TaskOrder>),
 }
 
-/// Opens a file, or says all that is wrong with it.
+/// Opens a file as a scene or a task.
 pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
     let shown = path.display().to_string();
@@ -68,7 +68,7 @@ pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
     })))
 }
 
-/// Opens a text that comes from somewhere.
+/// Parses and assembles a text of the given origin.
 pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
     let name = match &origin {
         Origin::Preset(name) | Origin::New(name) => name.clone(),
@@ -83,7 +83,7 @@ pub(crate) fn text(text: &str, origin: Origin) -> Result<Opened, Diagnostics> {
     })
 }
 
-/// The scene with its solver.
+/// Checks a scene and creates its solver.
 pub(crate) fn assembled(scene: Scene) -> Result<(Scene, Solver), Diagnostics> {
     check_figures(&scene)?;
     match Solver::new(&scene.mechanism) {

@@ -1,4 +1,4 @@
-//! A text on its way to a file.
+//! Saves a text to a file.
 
 use crate::files::{Saving, Trouble, save};
 use crate::scene::LARGEST_FILE;
@@ -7,32 +7,32 @@ use crate::wording::words;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What a person has said about the file.
+/// The permissions granted by the user.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Leave {
-    /// What it holds may go.
+    /// The file's contents may be overwritten.
     pub(crate) over: bool,
-    /// It is meant although it is read-only.
+    /// The file may be written although it is read-only.
     pub(crate) read_only: bool,
 }
 
-/// A text that is to become what a file holds.
+/// A request to save a text to a file.
 #[derive(Clone, Debug)]
 pub(crate) struct Errand {
     pub(crate) text: String,
     pub(crate) to: PathBuf,
-    /// What the file is thought to hold, where it is the scene's own.
+    /// The expected contents of the file, if it is the scene's own.
     pub(crate) own: Option<String>,
     pub(crate) leave: Leave,
-    /// Where old and new text are kept while a file is written in its place.
+    /// The folder that holds the old and new text while a file is written in place.
     pub(crate) records: Option<PathBuf>,
 }
 
 impl Errand {
-    /// Writes it, at once or not at all. The scene's own file keeps its byte order mark.
+    /// Saves the text completely or not at all. The scene's own file keeps its byte order mark.
     ///
     /// # Errors
-    /// Why nothing was written.
+    /// Returns the reason why nothing was written.
     pub(crate) fn run(&self) -> Result<(), Trouble> {
         let saving = Saving {
             to: &self.to,
@@ -55,7 +55,7 @@ impl Errand {
                 }
             }
             (Some(_), None) if !self.leave.over => return Err(Trouble::Exists),
-            // What was taken away meanwhile is nothing to lose.
+            // A file deleted meanwhile has no contents to lose.
             (Some(_), None) | (None, _) => {}
         }
         bytes.extend_from_slice(self.text.as_bytes());
@@ -63,7 +63,7 @@ impl Errand {
     }
 }
 
-/// Why nothing was written, and of what: of a folder that is not there, the folder.
+/// Formats a failed save with the file's name, or the folder's name if the folder does not exist.
 pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
     if is_folder(trouble) {
         return words().add_a_name().into();
@@ -76,7 +76,7 @@ pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
     words().not_written_to(&named, &why(trouble))
 }
 
-/// The same where the name of the file stands before it.
+/// Formats a failed save for display after the file's name.
 pub(crate) fn refused_there(trouble: &Trouble) -> String {
     match is_folder(trouble) {
         true => words().add_a_name().into(),
@@ -88,7 +88,7 @@ fn is_folder(trouble: &Trouble) -> bool {
     matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
 }
 
-/// Why a file cannot be written, shorter than the system says it where that is usual: the line is short.
+/// Returns the reason of a failed save, in short words for common errors because the line is short.
 fn why(trouble: &Trouble) -> String {
     let Trouble::Io(error) = trouble else {
         return trouble.to_string();

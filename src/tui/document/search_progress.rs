@@ -1,33 +1,33 @@
-//! How far a search has come, as both who searches and who waits see it.
+//! Shares the progress of a search between its thread and the workbench.
 
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 
-/// What is done at the end of a search, in parts of a thousand.
+/// Progress at the end of a search, in thousandths.
 const WHOLE: u32 = 1000;
 
-/// How far a search has come, and whether somebody still waits for it.
+/// The progress of a search, with a flag for cancelling it.
 #[derive(Debug, Default)]
 pub(crate) struct SearchProgress {
-    /// What is done, in parts of a thousand.
+    /// The completed part, in thousandths.
     done: AtomicU32,
-    /// Nobody waits any more.
+    /// `true` if the search is cancelled.
     is_left: AtomicBool,
 }
 
 impl SearchProgress {
-    /// A part of the search is done; whether it is to go on.
+    /// Reports the completed part, from 0 to 1. Returns `true` if the search should continue.
     pub(crate) fn tell(&self, part: f64) -> bool {
         let part = part.clamp(0.0, 1.0) * f64::from(WHOLE);
         self.done.store(part as u32, Ordering::Relaxed);
         !self.is_left.load(Ordering::Relaxed)
     }
 
-    /// What is done, in percent.
+    /// Returns the completed part in percent.
     pub(crate) fn percent(&self) -> u32 {
         self.done.load(Ordering::Relaxed) / (WHOLE / 100)
     }
 
-    /// Nobody waits for it any more.
+    /// Cancels the search.
     pub(crate) fn leave(&self) {
         self.is_left.store(true, Ordering::Relaxed);
     }

@@ -1,4 +1,4 @@
-//! What is to be written to a file while its name is asked for, and what is asked about that.
+//! The content to write while the user chooses a file, and the prompts about that file.
 
 use crate::files::Trouble;
 use crate::page::{Page, TextStyle};
@@ -8,31 +8,31 @@ use crate::tui::document::saving::Leave;
 use crate::wording::words;
 use std::path::{Path, PathBuf};
 
-/// What is to be written.
+/// The content to write to a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum SavedContent {
-    /// The scene, with the start positions of the assembly that is shown.
+    /// The scene, with the start positions of the shown assembly.
     Scene,
-    /// A text as it was when it was asked for.
+    /// A text, fixed at the time of the request.
     Text(Text),
 }
 
-/// Figures, or a picture.
+/// Values, a report or an image as text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Text {
-    /// What it is, in the words of the message: `the screen`.
+    /// The name of the content in messages: `the screen`.
     pub(crate) what: String,
     text: String,
-    /// The same in other formats, for names that ask for one of them.
+    /// Alternative formats, selected by the file name's extension.
     others: Vec<(FileEnding, String)>,
 }
 
-/// What the ending of a name asks for.
+/// The format selected by a file name's extension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum FileEnding {
-    /// A text to be read.
+    /// A report format.
     Report(ReportFormat),
-    /// Figures.
+    /// Values as CSV.
     Csv,
 }
 
@@ -54,7 +54,7 @@ impl Text {
         Text { what, text, others }
     }
 
-    /// A report in every format.
+    /// Creates a report in every format.
     pub(crate) fn of_report(what: &str, report: &Report) -> Text {
         let written = |format| (FileEnding::Report(format), report.written(format, false));
         Text {
@@ -64,7 +64,8 @@ impl Text {
         }
     }
 
-    /// Lines that are read, as text or as Markdown; and the figures that stand in them, for a name that asks for CSV.
+    /// Creates a page of lines as text and Markdown. `figures` are its values in CSV format, if it
+    /// has any.
     pub(crate) fn of_page(what: &str, page: &Page, figures: Option<String>) -> Text {
         let markdown = FileEnding::Report(ReportFormat::Markdown);
         let csv = figures.map(|figures| (FileEnding::Csv, figures));
@@ -76,7 +77,7 @@ impl Text {
         }
     }
 
-    /// As it is written to a file of this name.
+    /// Returns the text in the format for a file name.
     pub(crate) fn for_file(&self, path: &Path) -> &str {
         let asked = FileEnding::of(path);
         let mut others = self.others.iter();
@@ -85,38 +86,38 @@ impl Text {
     }
 }
 
-/// The line in which the name of a file is typed.
+/// The prompt for a file name.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Prompt {
     pub(crate) content: SavedContent,
     pub(crate) name: EditLine,
 }
 
-/// The question whether to write to a file nevertheless.
+/// A prompt for permission to write to a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Question {
     pub(crate) content: SavedContent,
     pub(crate) to: PathBuf,
     pub(crate) doubt: Doubt,
-    /// What was said before.
+    /// The permissions granted so far.
     pub(crate) leave: Leave,
 }
 
-/// Why somebody is asked first.
+/// The reason for asking before a write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Doubt {
-    /// There is such a file.
+    /// The file exists.
     Exists,
-    /// Somebody else has written it since it was read.
+    /// Another program has written the file since it was read.
     Changed,
-    /// The edits that were taken up are older than what it holds.
+    /// The restored edits are older than the file's contents.
     Older,
-    /// It says that it is not to be written to.
+    /// The file is read-only.
     ReadOnly,
 }
 
 impl Doubt {
-    /// What a person can say to it; `None` where nothing that is said would help.
+    /// Returns the reason to ask about a failed write; `None` if no permission would help.
     pub(crate) fn of(trouble: &Trouble) -> Option<Doubt> {
         match trouble {
             Trouble::Exists => Some(Doubt::Exists),
@@ -130,7 +131,7 @@ impl Doubt {
         }
     }
 
-    /// What is asked about a file of this name.
+    /// Returns the question about a file of this name.
     pub(crate) fn question(self, name: &str) -> String {
         match self {
             Doubt::Exists => words().write_over(name),
@@ -142,7 +143,7 @@ impl Doubt {
 }
 
 impl Question {
-    /// What was said, once this is said too.
+    /// Returns the permissions after the user confirms.
     pub(crate) fn granted(&self) -> Leave {
         match self.doubt {
             Doubt::Exists | Doubt::Changed | Doubt::Older => Leave {

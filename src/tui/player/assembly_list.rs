@@ -1,4 +1,4 @@
-//! The assemblies of every group where the driver stands: what there is to choose from.
+//! Lists the assemblies of every group at the driver's coordinate.
 
 use crate::ElementId;
 use crate::assembly::pick_text;
@@ -7,30 +7,30 @@ use crate::scene::Scene;
 use crate::solver::{Choice, GroupId, Solver, State};
 use crate::wording::words;
 
-/// Digits of places in the list: a tenth of what a person reads off a drawing.
+/// Significant digits of coordinates in the list: a tenth of the reading accuracy of a drawing.
 const DIGITS: f64 = 4.0;
-/// Groups in the list, at the most.
+/// Maximum number of groups in the list.
 const MOST_GROUPS: usize = 64;
 
 /// An assembly of one group.
 #[derive(Debug)]
 pub(crate) struct AssemblyRow {
-    /// The group in the plan, and what it is called.
+    /// The group's id in the plan, and its name.
     pub(crate) group: GroupId,
     pub(crate) name: String,
-    /// Where it would be, in words.
+    /// The position of the group's point or the angle of its link in this assembly, as text.
     pub(crate) place: String,
     pub(crate) choice: Choice,
 }
 
 impl AssemblyRow {
-    /// `C=-`, as the command line has it.
+    /// Formats the choice as on the command line: `C=-`.
     pub(crate) fn wish(&self) -> String {
         format!("{}={}", self.name, pick_text(self.choice.pick))
     }
 }
 
-/// The list of assemblies.
+/// The assemblies of all groups.
 #[derive(Debug)]
 pub(crate) struct AssemblyList {
     rows: Vec<AssemblyRow>,
@@ -38,7 +38,7 @@ pub(crate) struct AssemblyList {
 }
 
 impl AssemblyList {
-    /// Searches for them; `None` where there is nothing to choose.
+    /// Computes the assemblies; `None` if no group has a choice.
     pub(crate) fn new(
         scene: &Scene,
         solver: &Solver,
@@ -80,19 +80,19 @@ impl AssemblyList {
         &self.rows
     }
 
-    /// The space that the linkage needs with all its ghosts.
+    /// Returns the extents of the linkage with all its ghosts.
     pub(crate) fn reach(&self) -> &Reach {
         &self.reach
     }
 
-    /// Where to begin: at the first assembly that is not the present one, and could be.
+    /// Returns the initial cursor: the first assembly that closes and is not the current one.
     pub(crate) fn first(&self) -> usize {
         let other = |row: &AssemblyRow| !row.choice.is_current && row.choice.closes;
         self.rows.iter().position(other).unwrap_or(0)
     }
 
-    /// What is shown beside the linkage: the assembly under the cursor, or where that is the present
-    /// one, all others of its group.
+    /// Returns the states to draw as ghosts: the assembly under the cursor, or all others of its
+    /// group if that is the current one.
     pub(crate) fn ghosts(&self, cursor: usize) -> impl Iterator<Item = &State> {
         let chosen = self.rows.get(cursor);
         let at_present = chosen.is_none_or(|row| row.choice.is_current);
@@ -106,11 +106,11 @@ impl AssemblyList {
     }
 }
 
-/// A figure with so many decimals; one that does not fit the screen that way takes an exponent.
+/// Formats a number with `decimals` decimals, or in exponential notation if it is too wide.
 fn figure(value: f64, decimals: usize) -> String {
     if value.abs() < 1e9 {
         let text = format!("{value:.decimals$}");
-        // What rounds to nothing has no sign.
+        // A rounded zero has no sign.
         let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
         let unsigned = text.strip_prefix('-').filter(|_| is_zero);
         unsigned.unwrap_or(&text).to_owned()
@@ -119,7 +119,7 @@ fn figure(value: f64, decimals: usize) -> String {
     }
 }
 
-/// As many decimals as show four digits of the largest places.
+/// Returns the number of decimals that shows four digits of the largest coordinates.
 fn decimals(reach: &Reach) -> usize {
     let bounds = reach.bounds();
     let largest = bounds.low.norm().max(bounds.high.norm());

@@ -1,5 +1,5 @@
-//! Another scene beside the open one, at the same coordinate of the driver: its ghost in the drawing, and
-//! what the figures differ by.
+//! Compares another scene with the open one at the same driver coordinate: its ghost in the
+//! drawing, and the differences in the tables.
 
 use crate::drawing::{self, Figure, Reach};
 use crate::quantity::DriverStand;
@@ -14,44 +14,44 @@ use crate::tui::player::open_scene::{OpenScene, solved};
 use crate::wording::words;
 use crate::{Ball, DriverMoment, Input};
 
-/// Of the places that figures are fitted to, differences are fitted to one of so many.
+/// Only every fourth sample position is used to size the columns of differences.
 const STRIDE: usize = 4;
-/// Columns of a speed.
+/// Width of a speed, in columns.
 const SPEED: usize = 8;
 
-/// A scene that the open one is held against.
+/// A scene compared with the open one.
 #[derive(Debug)]
 pub(crate) struct ComparedScene {
     edition: Edition,
-    /// What it is fitted to.
+    /// The revision of the open scene that the comparison belongs to.
     beside: Edition,
-    /// As it is called.
+    /// The display name.
     name: String,
     other: Other,
-    /// The space that it needs, in its own unit.
+    /// The extents of this scene, in its own unit.
     own: Reach,
-    /// The space that both need, in the unit of the open scene.
+    /// The extents of both scenes, in the unit of the open scene.
     reach: Reach,
     pairing: Pairing,
     /// The columns of the differences.
     sheet: Sheet,
-    /// What the figures of the open scene are more than its own.
+    /// The differences: the values of the open scene minus those of this scene.
     tables: Tables,
     stand: DriverStand,
 }
 
-/// The scene itself, solved where the open one is.
+/// The scene itself, solved at the open scene's coordinate.
 #[derive(Debug)]
 struct Other {
     opened: Opened,
     state: Workspace,
     enclosure: Workspace<Ball>,
-    /// How many units of the open scene one of its own is.
+    /// The length unit of this scene, in units of the open scene.
     scale: f64,
 }
 
 impl ComparedScene {
-    /// Holds a scene against the open one; in words why that cannot be.
+    /// Compares a scene with the open one. Returns a message if they are not comparable.
     pub(crate) fn new(
         name: String,
         opened: Opened,
@@ -82,12 +82,13 @@ impl ComparedScene {
         })
     }
 
-    /// Holds it against the open scene as that is now; in words why that cannot be any more.
+    /// Compares the scene with the current form of the open scene. Returns a message if they are no
+    /// longer comparable.
     pub(crate) fn again(self, open_scene: &OpenScene) -> Result<ComparedScene, String> {
         ComparedScene::new(self.name, self.other.opened, open_scene)
     }
 
-    /// Goes where the open scene is.
+    /// Solves the scene at the open scene's coordinate.
     pub(crate) fn follow(&mut self, open_scene: &OpenScene) {
         if self.stand == *open_scene.stand() {
             return;
@@ -99,12 +100,12 @@ impl ComparedScene {
             .difference(open_scene.tables(), &there, self.other.scale);
     }
 
-    /// Another one, another comparison.
+    /// Returns the revision, which identifies this comparison.
     pub(crate) fn edition(&self) -> &Edition {
         &self.edition
     }
 
-    /// Whether it is fitted to the scene in this form.
+    /// Returns `true` if the comparison belongs to this revision of the open scene.
     pub(crate) fn fits(&self, open_scene: &OpenScene) -> bool {
         self.beside == *open_scene.edition()
     }
@@ -121,12 +122,13 @@ impl ComparedScene {
         &self.other.opened.solver
     }
 
-    /// How many units of the open scene one of its own is.
+    /// Returns the length unit of this scene, in units of the open scene.
     pub(crate) fn scale(&self) -> f64 {
         self.other.scale
     }
 
-    /// The speeds of both drivers, where they differ: then every rate does. By a motion over time both pass alike.
+    /// Returns both drivers' speeds if they differ, because all rates then differ too. Motions over
+    /// time have equal speeds.
     pub(crate) fn speeds(&self, open_scene: &OpenScene) -> Option<String> {
         if open_scene.timetable().is_some() {
             return None;
@@ -141,12 +143,12 @@ impl ComparedScene {
         (this != other).then(|| words().this_and_other(&this, &format!("{other} {unit}/s")))
     }
 
-    /// Whether it can be where the open scene is.
+    /// Returns `true` if the scene has an assembly at the open scene's coordinate.
     pub(crate) fn is_assembled(&self) -> bool {
         self.other.state.condition() != Condition::NoAssembly
     }
 
-    /// Adds it to a figure of the open scene, below everything; nothing where it cannot be.
+    /// Adds the scene below a figure of the open scene; adds nothing without an assembly.
     pub(crate) fn add_ghost(&self, figure: &mut Figure) {
         let Other {
             opened,
@@ -157,34 +159,34 @@ impl ComparedScene {
         drawing::add_other(figure, &opened.scene, state, *scale);
     }
 
-    /// The space that both scenes need, in the unit of the open one.
+    /// Returns the extents of both scenes, in the unit of the open one.
     pub(crate) fn reach(&self) -> &Reach {
         &self.reach
     }
 
-    /// The same with room for whatever the drawing of the open scene needs beside that.
+    /// Returns the union of `reach` and this scene's extents, in the unit of the open scene.
     pub(crate) fn reach_beside(&self, reach: &Reach) -> Reach {
         reach.beside(&self.own, self.other.scale, self.other.driver())
     }
 
-    /// Which rows have a partner.
+    /// Returns the pairing of the two scenes' rows.
     pub(crate) fn pairing(&self) -> &Pairing {
         &self.pairing
     }
 
-    /// The columns of the differences.
+    /// Returns the columns of the differences.
     pub(crate) fn sheet(&self) -> &Sheet {
         &self.sheet
     }
 
-    /// The differences.
+    /// Returns the tables of the differences.
     pub(crate) fn tables(&self) -> &Tables {
         &self.tables
     }
 }
 
 impl Other {
-    /// How many units of the coordinate of the open scene one of its own is.
+    /// Returns the unit of this scene's driver coordinate, in units of the open scene's coordinate.
     fn driver(&self) -> f64 {
         match self.opened.scene.mechanism.driver().input {
             Input::Turn(_) => 1.0,
@@ -192,7 +194,8 @@ impl Other {
         }
     }
 
-    /// Its tables where the driver of the open scene is, which it passes in the same way if that has a motion over time.
+    /// Computes this scene's tables at the driver state of the open scene, with the same speed if
+    /// that has a motion over time.
     fn tables(&mut self, stand: &DriverStand) -> Tables {
         let unit = self.driver();
         let pace = stand.pace.map(|moment| DriverMoment {
@@ -212,10 +215,10 @@ impl Other {
     }
 }
 
-/// The differences spread over the motion of the open scene.
+/// Computes the differences at positions over the open scene's whole motion.
 fn samples(open_scene: &OpenScene, other: &mut Other, pairing: &Pairing) -> Vec<Tables> {
     let (mut state, mut enclosure) = (open_scene.solver().state(), open_scene.solver().enclosure());
-    // Fewer places than for figures: they tell the digits well enough, and an edit has to wait for them.
+    // Fewer positions than for the values suffice for the digits, and an edit has to wait for them.
     let places = open_scene.places().into_iter().step_by(STRIDE);
     let differences = places.map(|stand| {
         let here = open_scene.tables_at(&stand, &mut state, &mut enclosure);
@@ -224,7 +227,7 @@ fn samples(open_scene: &OpenScene, other: &mut Other, pairing: &Pairing) -> Vec<
     differences.collect()
 }
 
-/// Two scenes are held against each other at the same coordinate: they need one of the same kind.
+/// Checks that both drivers are of the same kind, because the scenes share the driver coordinate.
 fn comparable(name: &str, other: &Scene, this: &Scene) -> Result<(), String> {
     let driven = |scene: &Scene| match scene.mechanism.driver().input {
         Input::Turn(_) => words().a_link_that_turns(),

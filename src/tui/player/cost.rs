@@ -1,37 +1,38 @@
-//! What a state costs: measured now and then, never for every frame, and told so that it does not dance.
+//! Measures the cost of solving a state, occasionally and not for every frame, and keeps the
+//! displayed value steady.
 
 use crate::report::time_text;
 use std::time::{Duration, Instant};
 
-/// A measurement is the median of so many batches,
+/// Number of batches per measurement; the result is their median.
 const BATCHES: usize = 5;
-/// each of which lasts about this long, or takes one state that costs more.
+/// Approximate duration of a batch. A batch has at least one state.
 const BATCH: Duration = Duration::from_micros(10);
-/// No batch has more states than this.
+/// Maximum number of states in a batch.
 const MOST_STATES: u32 = 256;
-/// What is shown stays until a measurement differs by more than this part of it: the clock of a busy
-/// machine is no better.
+/// Maximum relative change of a measurement that does not update the displayed value: the
+/// resolution of the clock on a busy machine.
 const SAME: f64 = 0.2;
-/// Digits of it that mean anything.
+/// Significant digits of the displayed value.
 const DIGITS: usize = 2;
-/// From one measurement to the next, at least.
+/// Minimum time between two measurements.
 pub(crate) const PAUSE: Duration = Duration::from_secs(1);
 
-/// The cost of a state in seconds, as it is shown.
+/// The displayed cost of a state, in seconds.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Cost {
     shown: Option<f64>,
 }
 
 impl Cost {
-    /// Measures `solve` again.
+    /// Measures the duration of `solve`.
     pub(crate) fn measure(&mut self, mut solve: impl FnMut()) {
         let mut time = |states: u32| {
             let begun = Instant::now();
             (0..states).for_each(|_| solve());
             begun.elapsed().as_secs_f64() / f64::from(states)
         };
-        // The first one warms up, and tells how many fit a batch.
+        // The first call warms up and determines the number of states in a batch.
         let first = time(1).max(1e-9);
         let states = (1..=MOST_STATES)
             .rev()
@@ -48,7 +49,7 @@ impl Cost {
         }
     }
 
-    /// `61 ns`, `2.3 us`, `14 ms`.
+    /// Formats the cost: `61 ns`, `2.3 us`, `14 ms`.
     pub(crate) fn text(self) -> Option<String> {
         self.shown.map(|seconds| time_text(seconds, DIGITS))
     }

@@ -1,4 +1,4 @@
-//! Where the driver can go: its range as playing and stepping see it.
+//! The range of the driver for playback and stepping.
 
 use crate::angle::TURN;
 use crate::scene::Scene;
@@ -7,23 +7,23 @@ use crate::tui::figures::format::{FINEST, rounded};
 use crate::tui::player::playback::Track;
 use crate::{Driver, Input};
 
-/// The driver's coordinate as the workbench moves it: in degrees, or in the scene's length unit.
+/// The range of the driver coordinate, in degrees or in the scene's length unit.
 #[derive(Clone, Debug)]
 pub(crate) struct DriverRange {
     range: Range,
     turns: bool,
-    /// Where the scene opens.
+    /// The scene's initial coordinate.
     opening: f64,
-    /// How fast the scene drives, per second, without its sign.
+    /// The magnitude of the scene's driver speed, per second.
     speed: f64,
-    /// What is covered in one sweep: a turn, or the travel of a slide.
+    /// The length of one sweep: a full turn, or the travel of a slide.
     span: f64,
-    /// Decimals that the coordinate is rounded to while playing, so that what is shown is what was
-    /// solved.
+    /// The number of decimals to which coordinates are rounded during playback, so that the
+    /// displayed coordinate is the solved one.
     decimals: usize,
 }
 
-/// A coordinate that the driver cannot reach.
+/// The error for a coordinate outside the driver's range.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OutOfRange {
     /// The lower limit.
@@ -46,7 +46,7 @@ impl DriverRange {
             2
         } else {
             let digits = span.log10().floor().clamp(-9.0, 9.0);
-            // Four digits of the span, and one more: a sweep has thousands of places.
+            // Four digits of the span and one more, because a sweep has thousands of positions.
             (0..=FINEST)
                 .find(|&d| d as f64 + digits >= 4.0)
                 .unwrap_or(FINEST)
@@ -61,27 +61,27 @@ impl DriverRange {
         }
     }
 
-    /// Whether the driver is a link that turns; otherwise it is a slide that is pushed.
+    /// Returns `true` if the driver is a turning link, `false` if it is a slide.
     pub(crate) fn turns(&self) -> bool {
         self.turns
     }
 
-    /// Where the scene opens.
+    /// Returns the scene's initial coordinate.
     pub(crate) fn opening(&self) -> f64 {
         self.opening
     }
 
-    /// What is covered in one sweep: a turn, or the travel of a slide.
+    /// Returns the length of one sweep: a full turn, or the travel of a slide.
     pub(crate) fn span(&self) -> f64 {
         self.span
     }
 
-    /// Decimals of the coordinate while playing.
+    /// Returns the number of decimals of the coordinate during playback.
     pub(crate) fn decimals(&self) -> usize {
         self.decimals
     }
 
-    /// What playing goes along, of a driver that runs by its speed.
+    /// Returns the playback track of a driver with constant speed.
     pub(crate) fn track(&self) -> Track {
         Track {
             span: self.span,
@@ -90,7 +90,8 @@ impl DriverRange {
         }
     }
 
-    /// Between where and where playing goes to and fro; `None` if it goes round for ever.
+    /// Returns the limits between which playback oscillates; `None` if the driver turns without
+    /// limits.
     pub(crate) fn shuttle(&self) -> Option<(f64, f64)> {
         match self.range {
             Range::Limited { low, high } => Some((low, high)),
@@ -98,7 +99,7 @@ impl DriverRange {
         }
     }
 
-    /// The coordinate meant by `at`: itself, or what [`Range::meant`] takes it for.
+    /// Returns the coordinate meant by `at`: itself, or its equivalent from [`Range::meant`].
     pub(crate) fn reach(&self, at: f64) -> Result<f64, OutOfRange> {
         let Range::Limited { low, high } = self.range else {
             return Ok(at);
@@ -110,16 +111,17 @@ impl DriverRange {
         meant.ok_or(OutOfRange { low, high })
     }
 
-    /// The nearest coordinate that the driver can reach.
+    /// Returns the nearest coordinate in the driver's range.
     pub(crate) fn clamp(&self, at: f64) -> f64 {
         match self.range {
-            // The limits are ordered by the solver; max and min do not panic if they were not.
+            // The solver orders the limits. Unlike `clamp`, `max` and `min` would not panic if it
+            // did not.
             Range::Limited { low, high } => at.max(low).min(high),
             Range::Full { .. } => at,
         }
     }
 
-    /// `at` as playing shows it: on the grid of [[`DriverRange::decimals`]], within the range.
+    /// Rounds `at` to [`DriverRange::decimals`] as in playback, and limits it to the range.
     pub(crate) fn on_grid(&self, at: f64) -> f64 {
         self.clamp(rounded(at, self.decimals))
     }

@@ -1,9 +1,9 @@
-//! Telling one scene that was opened from the next.
+//! Identifies a solved scene, for cached results.
 
 use std::sync::Arc;
 
-/// A scene as it was solved when it was opened. What was found of it holds as long as the edition is the same:
-/// an edit and another assembly are other editions, another coordinate is not.
+/// The revision of a solved scene. Cached results are valid while it is equal. An edit or another
+/// assembly creates a new revision; another coordinate does not.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Edition(Arc<()>);
 

@@ -1,4 +1,4 @@
-//! The working of the present state, while it is looked at.
+//! Keeps the written solution of the current state while its view is visible.
 
 use crate::Ball;
 use crate::page::Page;
@@ -10,10 +10,10 @@ use crate::tui::Opened;
 
 /// Significant digits, as in the tables.
 pub(crate) const DIGITS: usize = 6;
-/// Of more links than this a frame would be late.
+/// Maximum number of links. A larger linkage would delay the frame.
 const MOST_LINKS: usize = 64;
 
-/// What the working is written from, and the present one.
+/// The current working, with the data to update it.
 #[derive(Debug)]
 pub(crate) struct Explained {
     working: Working,
@@ -23,12 +23,12 @@ pub(crate) struct Explained {
 }
 
 impl Explained {
-    /// Whether a scene has few enough links for it.
+    /// Returns `true` if the scene has few enough links for a working.
     pub(crate) fn is_possible(scene: &Scene) -> bool {
         scene.mechanism.links().len() <= MOST_LINKS
     }
 
-    /// The working at a place; `None` where the scene has too many links for it.
+    /// Creates the working at a driver state; `None` if the scene has too many links.
     pub(crate) fn new(opened: &Opened, stand: &DriverStand) -> Option<Explained> {
         let Opened { scene, solver, .. } = opened;
         if !Explained::is_possible(scene) {
@@ -44,7 +44,7 @@ impl Explained {
         Some(explained)
     }
 
-    /// The driver is somewhere else.
+    /// Updates the working for another driver state.
     pub(crate) fn go(&mut self, opened: &Opened, stand: &DriverStand) {
         let Opened { scene, solver, .. } = opened;
         let _ = stand.solve(solver, Order::Force, &mut self.state);

@@ -1,4 +1,4 @@
-//! The open scene solved where its driver stands, and how that moves.
+//! Solves the open scene at its driver coordinate and plays its motion.
 
 pub(crate) mod assembly_list;
 pub(crate) mod compared_scene;
@@ -22,25 +22,25 @@ use playback::{Playback, Track};
 use std::time::Duration;
 use steps::StepLadder;
 
-/// Time between two frames while playing.
+/// Time between two frames during playback.
 pub(crate) const FRAME: Duration = Duration::from_millis(33);
-/// Decimals to which a step is exact.
+/// Decimals to which a step is rounded.
 const STEP_DECIMALS: usize = 9;
 
-/// The open scene, where its driver is, and how it goes on from there.
+/// The open scene with its driver coordinate, step size and playback.
 #[derive(Debug)]
 pub(crate) struct Player {
     pub(crate) open_scene: OpenScene,
     pub(crate) steps: StepLadder,
     pub(crate) playback: Playback,
-    /// When the last frame was due.
+    /// The time when the last frame was due.
     frame: Duration,
-    /// When the last state was weighed, and where that was; `None` before the first one.
+    /// The time, scene and coordinate of the last cost measurement; `None` before the first one.
     weighed: Option<(Duration, Edition, f64)>,
 }
 
 impl Player {
-    /// A scene, paused where it opens.
+    /// Creates a player with a scene, paused at its initial coordinate.
     pub(crate) fn new(opened: Opened) -> Self {
         let open_scene = OpenScene::new(opened);
         Player {
@@ -52,13 +52,13 @@ impl Player {
         }
     }
 
-    /// The same scene in another form: the driver stands where it stood, as far as it can be there. Gives back the form
-    /// that it had.
+    /// Replaces the scene by an edited form of it and returns the previous form. The driver keeps
+    /// its coordinate or time as far as the new form can reach it.
     pub(crate) fn exchange(&mut self, open_scene: OpenScene, now: Duration) -> OpenScene {
         let (at, turned) = (self.open_scene.at(), self.turns());
         let time = self.open_scene.time();
         let before = std::mem::replace(&mut self.open_scene, open_scene);
-        // A file that was read again may have a slide for a driver where it had a link.
+        // A reread file may have a slide as its driver instead of a link.
         if turned != self.turns() {
             self.steps = steps_of(&self.open_scene);
         }
@@ -73,28 +73,28 @@ impl Player {
         self.open_scene.driver_range().turns()
     }
 
-    // ---- where the driver is
+    // ---- the driver's position
 
-    /// The driver is here now, and goes on from here if it is playing.
+    /// Moves the driver to a coordinate and continues playback from it.
     pub(crate) fn arrive(&mut self, at: f64, now: Duration) {
         self.open_scene.go(at);
         self.rebase(now);
     }
 
-    /// The same of a time of its motion.
+    /// Moves the driver to a time of its motion and continues playback from it.
     pub(crate) fn arrive_at(&mut self, time: f64, now: Duration) {
         self.open_scene.go_to_time(time);
         self.rebase(now);
     }
 
-    /// The same of a time that is pointed at.
+    /// Moves the driver to a time under the mouse, rounded as in playback.
     pub(crate) fn lead_to_time(&mut self, time: f64, now: Duration) {
         if let Some(timetable) = self.open_scene.timetable() {
             self.arrive_at(timetable.on_grid(time), now);
         }
     }
 
-    /// What playing goes along.
+    /// Returns the playback track: the motion over time, or the driver coordinate.
     pub(crate) fn track(&self) -> Track {
         match self.open_scene.timetable() {
             Some(timetable) => Track {
@@ -106,7 +106,7 @@ impl Player {
         }
     }
 
-    /// Where on that it is; off its motion the driver is where that begins.
+    /// Returns the position on the track; 0 if the driver is outside its motion over time.
     fn place(&self) -> f64 {
         match self.open_scene.timetable() {
             Some(_) => self.open_scene.time().unwrap_or(0.0),
@@ -114,14 +114,14 @@ impl Player {
         }
     }
 
-    /// Goes to a coordinate, or to the place that is meant by it; that place.
+    /// Moves to a coordinate or its equivalent in the range, and returns the reached one.
     pub(crate) fn jump(&mut self, at: f64, now: Duration) -> Result<f64, OutOfRange> {
         let reached = self.open_scene.driver_range().reach(at)?;
         self.arrive(reached, now);
         Ok(reached)
     }
 
-    /// Goes to where the scene opens.
+    /// Moves to the scene's initial position.
     pub(crate) fn go_to_opening(&mut self, now: Duration) {
         if self.open_scene.timetable().is_some() {
             return self.arrive_at(0.0, now);
@@ -130,7 +130,7 @@ impl Player {
         self.arrive(driver_range.clamp(driver_range.opening()), now);
     }
 
-    /// Moves on by a step, as far as the motion goes; whether it goes so far.
+    /// Moves by a step, as far as the range permits. Returns `true` if the whole step was possible.
     pub(crate) fn step(&mut self, by: f64, now: Duration) -> bool {
         let wanted = rounded(self.open_scene.at() + by, STEP_DECIMALS);
         let reached = self.open_scene.driver_range().clamp(wanted);
@@ -138,9 +138,9 @@ impl Player {
         reached == wanted
     }
 
-    // ---- playing
+    // ---- playback
 
-    /// Plays, or pauses. Pausing leaves the driver where the last frame showed it.
+    /// Starts or pauses playback. After a pause, the driver stays where the last frame showed it.
     pub(crate) fn toggle(&mut self, now: Duration) {
         if self.playback.is_playing() {
             self.playback.pause();
@@ -150,33 +150,34 @@ impl Player {
         }
     }
 
-    /// What is played goes on from here: time has passed that nobody has seen.
+    /// Continues playback from the current position, for example after the process was suspended.
     pub(crate) fn rebase(&mut self, now: Duration) {
         self.playback.rebase(now, self.place());
     }
 
-    /// Turns round.
+    /// Reverses playback.
     pub(crate) fn reverse(&mut self, now: Duration) {
         self.playback.reverse(now, self.place());
     }
 
-    /// The next faster pace, if there is one.
+    /// Selects the next faster pace, if there is one.
     pub(crate) fn faster(&mut self, now: Duration) {
         self.playback.faster(now, self.place());
     }
 
-    /// The next slower pace, if there is one.
+    /// Selects the next slower pace, if there is one.
     pub(crate) fn slower(&mut self, now: Duration) {
         self.playback.slower(now, self.place());
     }
 
-    /// The same where frames were not looked for either.
+    /// Continues playback from the current position with a new frame clock, after no frames were
+    /// due.
     pub(crate) fn resume(&mut self, now: Duration) {
         self.rebase(now);
         self.frame = now;
     }
 
-    /// Moves to where what is played is now.
+    /// Moves the driver to the playback position at `now`.
     pub(crate) fn follow(&mut self, now: Duration) {
         let Some(place) = self.playback.position(now, &self.track()) else {
             return;
@@ -194,13 +195,13 @@ impl Player {
         }
     }
 
-    /// When the next frame is due; never while paused.
+    /// Returns the time of the next frame; `None` while paused.
     pub(crate) fn next_frame(&self) -> Option<Duration> {
         self.playback.is_playing().then(|| self.frame + FRAME)
     }
 
-    /// Measures what a state costs, where that is worth it: of another scene at once, of another state
-    /// after a while.
+    /// Measures the cost of a state if due: at once for another scene, after a pause for another
+    /// coordinate.
     pub(crate) fn weigh(&mut self, now: Duration) {
         let (edition, at) = (self.open_scene.edition(), self.open_scene.at());
         let weighed = self.weighed.as_ref();
@@ -214,7 +215,7 @@ impl Player {
     }
 }
 
-/// The steps that fit the driver.
+/// Returns the step sizes for the scene's driver.
 fn steps_of(open_scene: &OpenScene) -> StepLadder {
     if open_scene.driver_range().turns() {
         StepLadder::of_angle()

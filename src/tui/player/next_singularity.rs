@@ -1,5 +1,4 @@
-//! What lies ahead of the driver, the way it goes: the next dead point, change point or limit, where it
-//! is near enough to be worth a word.
+//! Finds the next dead point, change point or limit ahead of the driver, if it is near.
 
 use crate::LimitId;
 use crate::report::stop_name;
@@ -9,31 +8,31 @@ use crate::tui::figures::format::coordinate;
 use crate::tui::player::driver_range::DriverRange;
 use crate::wording::words;
 
-/// Near is within so many degrees, or this part of a slide's travel.
+/// The distance that counts as near: in degrees, or as a fraction of a slide's travel.
 const NEAR_TURNING: f64 = 15.0;
 const NEAR_PUSHING: f64 = 0.05;
-/// Decimals of what is left of an angle. Of a travel one less than its coordinate has.
+/// Decimals of the remaining angle. A remaining travel has one less than the coordinate.
 const DECIMALS: usize = 1;
 
-/// What there is ahead.
+/// The kind of a singularity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SingularityKind {
     Stop(LimitId),
     DeadPoint,
     ChangePoint,
-    /// The end of what was followed of a slide's travel.
+    /// The end of the tracked travel of a slide.
     Limit,
 }
 
-/// The next thing ahead, and how far it is.
+/// The next singularity and its distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct NextSingularity {
     kind: SingularityKind,
-    /// In degrees or the scene's length unit, more than 0.
+    /// The distance in degrees or the scene's length unit, greater than 0.
     distance: f64,
 }
 
-/// What lies ahead of `at`; `None` where nothing is near.
+/// Returns the next singularity in the direction of motion from `at`; `None` if none is near.
 pub(crate) fn ahead(
     driver_range: &DriverRange,
     motion: &Motion,
@@ -53,7 +52,8 @@ pub(crate) fn ahead(
     let limits = driver_range
         .shuttle()
         .map_or([None; 2], |(low, high)| [low, high].map(Some));
-    // The first of those at the same place: a limit may be a stop or a dead point, too.
+    // Of several at the same coordinate, the first counts: a limit may also be a stop or a dead
+    // point.
     let stops = motion.stops.iter();
     let all = (motion
         .dead_points
@@ -82,7 +82,7 @@ pub(crate) fn ahead(
 }
 
 impl NextSingularity {
-    /// `dead point in 3.2 deg`.
+    /// Formats the singularity: `dead point in 3.2 deg`.
     pub(crate) fn text(self, scene: &Scene, driver_range: &DriverRange, unit: &str) -> String {
         let stop;
         let kind = match self.kind {

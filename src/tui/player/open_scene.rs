@@ -1,4 +1,4 @@
-//! The open scene: what is found once when it opens, and what follows from the driver's coordinate.
+//! The open scene: results computed once when it opens, and results at the driver's coordinate.
 
 use crate::Ball;
 use crate::document::ascii_letter;
@@ -24,12 +24,12 @@ use crate::tui::{Opened, Origin};
 use std::borrow::Cow;
 use std::path::PathBuf;
 
-/// States that the tables' columns are fitted to; fewer where a state has very many figures.
+/// Numbers of states for sizing the tables' columns; fewer if a state has very many rows.
 const SAMPLES: u16 = 72;
 const FEWEST_SAMPLES: u16 = 6;
 const MOST_ROWS: usize = 20_000;
 
-/// An open scene at one coordinate of its driver.
+/// An open scene at one driver coordinate.
 #[derive(Debug)]
 pub(crate) struct OpenScene {
     edition: Edition,
@@ -38,9 +38,9 @@ pub(crate) struct OpenScene {
     reach: Reach,
     verdict: Verdict,
     sheet: Sheet,
-    /// What the links of the vectors are drawn as.
+    /// The drawing role of the link of each row of the vectors.
     vector_roles: Vec<Option<Role>>,
-    /// Where the driver is, and when, of one that moves by a law of time.
+    /// The driver state; and its time, if the driver has a motion over time.
     stand: DriverStand,
     time: Option<f64>,
     timetable: Option<Timetable>,
@@ -48,37 +48,37 @@ pub(crate) struct OpenScene {
     enclosure: Workspace<Ball>,
     tables: Tables,
     cost: Cost,
-    /// What the given lengths do, while that is looked at.
+    /// The effect of the lengths, while its view is visible.
     answers: Option<LengthsQuestion>,
-    /// The forces, while they are looked at and anything acts.
+    /// The forces, while they are shown and if loads act.
     force_figures: Option<ForceFigures>,
-    /// The assemblies of the groups, while they are looked at.
+    /// The assemblies of the groups, while they are listed.
     assembly_list: Option<AssemblyList>,
-    /// The working of the state, while that is looked at.
+    /// The written solution of the state, while its view is visible.
     explained: Option<Explained>,
-    /// A method at work on the state, while that is watched.
+    /// The watched method at the current state.
     watched: Option<WatchedMethod>,
 }
 
-/// What is asked about the given lengths, and what came of it.
+/// The sensitivity of the motion to the lengths, with its results.
 #[derive(Debug)]
 struct LengthsQuestion {
     sensitivity: Sensitivity,
     answers: Answers,
-    /// What tolerances do, where the scene has any.
+    /// The tolerance study and its results, if the scene has tolerances.
     tolerances: Option<(ToleranceStudy, ToleranceAnswers)>,
-    /// All that tolerances do to one figure, where the driver was when that was asked.
+    /// The effect of all tolerances on one quantity, at the coordinate where it was requested.
     told: Option<ToleranceReport>,
 }
 
-/// So many machines are made by chance for what is told of one figure.
+/// Number of random machines for the tolerance report on one quantity.
 const MACHINES: u32 = 10_000;
 
-/// Of more lengths than this a frame would be late.
+/// Maximum number of lengths. More would delay the frame.
 const MOST_LENGTHS: usize = 200;
 
 impl OpenScene {
-    /// Opens a scene where it says.
+    /// Opens a scene at its initial position.
     pub(crate) fn new(opened: Opened) -> Self {
         let driver_range = DriverRange::new(&opened.scene, &opened.solver);
         let reach = Reach::of(&opened.scene, &opened.solver);
@@ -117,12 +117,13 @@ impl OpenScene {
         }
     }
 
-    /// Another one, another form of the scene: what is found of it once is kept by this.
+    /// Returns the revision, the key for cached results on this scene.
     pub(crate) fn edition(&self) -> &Edition {
         &self.edition
     }
 
-    /// The same scene in another assembly of a group, at the same coordinate; in words why it cannot be.
+    /// Returns the scene with another assembly of a group, at the same position. The error is a
+    /// message.
     pub(crate) fn switched(&self, group: GroupId, pick: Pick) -> Result<OpenScene, String> {
         let Opened {
             scene,
@@ -141,40 +142,40 @@ impl OpenScene {
         Ok(open_scene)
     }
 
-    /// Looks for the assemblies of all groups here.
+    /// Computes the assemblies of all groups at the current coordinate.
     pub(crate) fn look_around(&mut self) -> Option<&AssemblyList> {
         let Opened { scene, solver, .. } = &self.opened;
         self.assembly_list = AssemblyList::new(scene, solver, self.at(), &self.reach);
         self.assembly_list.as_ref()
     }
 
-    /// What [`OpenScene::look_around`] has found.
+    /// Returns the result of [`OpenScene::look_around`].
     pub(crate) fn assembly_list(&self) -> Option<&AssemblyList> {
         self.assembly_list.as_ref()
     }
 
-    /// The text of the scene with the start positions of this assembly.
+    /// Returns the scene's text with the start positions of this assembly.
     pub(crate) fn saved_text(&self) -> Option<String> {
         let Opened { scene, solver, .. } = &self.opened;
         scene.with_start_of(solver, self.at())
     }
 
-    /// The scene is told by another text now, of the same mechanism.
+    /// Replaces the scene by another text of the same mechanism.
     pub(crate) fn retell(&mut self, scene: Scene) {
         self.opened.scene = scene;
         self.timetable = Timetable::new(&self.opened.scene, self.opened.solver.motion().range);
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
     }
 
-    /// The scene is another text now, of the same mechanism, and has a file of its own.
+    /// Replaces the scene by another text of the same mechanism, saved in a file of its own.
     pub(crate) fn rename(&mut self, scene: Scene, file: PathBuf) {
         self.opened.scene = scene;
         self.opened.origin = Origin::File(file);
         self.driver_range = DriverRange::new(&self.opened.scene, &self.opened.solver);
     }
 
-    /// Moves the driver to a coordinate, wherever that is: where it moves by a law of time, to where it is there
-    /// next.
+    /// Moves the driver to any coordinate. A motion over time moves to the nearest time at which it
+    /// has that coordinate.
     pub(crate) fn go(&mut self, at: f64) {
         let Some(timetable) = &self.timetable else {
             return self.stand_at(DriverStand::at(at), None);
@@ -183,7 +184,7 @@ impl OpenScene {
         self.stand_at(timetable.stand_at(at, time), time);
     }
 
-    /// Moves the driver to where its motion is at a time, if it has one.
+    /// Moves the driver to its position at a time, if it has a motion over time.
     pub(crate) fn go_to_time(&mut self, time: f64) {
         if let Some(timetable) = &self.timetable {
             self.stand_at(timetable.stand(time), Some(time));
@@ -220,7 +221,7 @@ impl OpenScene {
         }
     }
 
-    /// Need the forces, here and from now on, or ceases to.
+    /// Starts computing the forces at every position, or stops it.
     pub(crate) fn balance_forces(&mut self, wanted: bool) {
         if wanted && self.force_figures.is_some() {
             return;
@@ -243,12 +244,12 @@ impl OpenScene {
         self.force_figures = forces.map(|forces| ForceFigures::new(forces, &samples));
     }
 
-    /// The forces, if they are looked at and anything acts.
+    /// Returns the forces, if they are shown and loads act.
     pub(crate) fn force_figures(&self) -> Option<&ForceFigures> {
         self.force_figures.as_ref()
     }
 
-    /// Shows the working, here and from now on, or ceases to.
+    /// Starts writing the solution at every position, or stops it.
     pub(crate) fn explain(&mut self, wanted: bool) {
         if wanted && self.explained.is_some() {
             return;
@@ -258,12 +259,12 @@ impl OpenScene {
             .flatten();
     }
 
-    /// The working of the state, if that was asked and the scene is not too large.
+    /// Returns the written solution, if it is shown and the scene is not too large.
     pub(crate) fn explained(&self) -> Option<&Explained> {
         self.explained.as_ref()
     }
 
-    /// Watches a method from a guess, here and from now on, or none.
+    /// Starts watching a method from a guess, or stops if `None`.
     pub(crate) fn watch(&mut self, method: Option<PositionMethod>, guess: &str) {
         if self.watched.as_ref().map(WatchedMethod::method) != method {
             let new = |method| WatchedMethod::new((method, guess), &self.opened, self.at());
@@ -271,21 +272,22 @@ impl OpenScene {
         }
     }
 
-    /// The method that is watched begins at another guess.
+    /// Sets the initial guess of the watched method.
     ///
     /// # Errors
-    /// In words, where that is no guess for this scene; then nothing has changed.
+    /// Returns a message if the guess is invalid for this scene; the previous one then stays.
     pub(crate) fn guess(&mut self, guess: &str) -> Result<(), String> {
         let watched = self.watched.as_mut();
         watched.map_or(Ok(()), |watched| watched.begin_at(guess, &self.opened))
     }
 
-    /// The method at work, if one is watched and the scene is not too large.
+    /// Returns the watched method, if the scene is not too large.
     pub(crate) fn watched(&self) -> Option<&WatchedMethod> {
         self.watched.as_ref()
     }
 
-    /// Measures what the state costs, without its bounds. What is shown of the state stays: it may have forces.
+    /// Measures the cost of solving the state without bounds. Uses a state of its own, because the
+    /// current one may hold forces.
     pub(crate) fn weigh(&mut self) {
         let OpenScene { opened, stand, .. } = self;
         let mut state = opened.solver.state();
@@ -296,19 +298,19 @@ impl OpenScene {
         });
     }
 
-    /// What the last state cost, if that was measured.
+    /// Returns the last measured cost.
     pub(crate) fn cost(&self) -> Option<String> {
         self.cost.text()
     }
 
-    /// The largest bound of a coordinate of a point; `None` where one of them has none.
+    /// Returns the largest error bound of a point's coordinates; `None` if any bound is missing.
     pub(crate) fn largest_bound(&self) -> Option<f64> {
         let places = self.tables.points.iter().filter_map(|p| p.motion[0]);
         let mut bounds = places.flat_map(|place| [place.bounds[0], place.bounds[1]]);
         bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
     }
 
-    /// Need what the given lengths do, here and from now on, or ceases to.
+    /// Starts computing the effect of the lengths at every position, or stops it.
     pub(crate) fn answer(&mut self, wanted: bool) {
         if wanted && self.answers.is_some() {
             return;
@@ -336,26 +338,26 @@ impl OpenScene {
         }
     }
 
-    /// Whether what the lengths do takes too long to be found here.
+    /// Returns `true` if the scene has too many lengths to compute their effect.
     pub(crate) fn has_too_many_lengths(&self) -> bool {
         self.opened.scene.mechanism.lengths().len() > MOST_LENGTHS
     }
 
-    /// What the given lengths do, if that was asked and there are not too many.
+    /// Returns the effect of the lengths, if it is shown and the lengths are not too many.
     pub(crate) fn answers(&self) -> Option<&Answers> {
         self.answers.as_ref().map(|asked| &asked.answers)
     }
 
-    /// What tolerances do, if that was asked and there are any.
+    /// Returns the effect of tolerances, if it is shown and the scene has tolerances.
     pub(crate) fn tolerance_answers(&self) -> Option<&ToleranceAnswers> {
         let (_, found) = self.answers.as_ref()?.tolerances.as_ref()?;
         Some(found)
     }
 
-    /// Finds all that tolerances do to a figure here, while it is asked what lengths do.
+    /// Computes the effect of all tolerances on one quantity, while the lengths are shown.
     ///
     /// # Errors
-    /// In words: why nothing can be told of it.
+    /// Returns a message if the tolerance study fails.
     pub(crate) fn tell_tolerance(&mut self, figure: Quantity) -> Result<(), String> {
         let at = self.at();
         let Opened { scene, solver, .. } = &self.opened;
@@ -374,12 +376,12 @@ impl OpenScene {
         Ok(())
     }
 
-    /// All that tolerances do to the figure that was asked about.
+    /// Returns the tolerance report on one quantity, if requested.
     pub(crate) fn told_tolerance(&self) -> Option<&ToleranceReport> {
         self.answers.as_ref()?.told.as_ref()
     }
 
-    /// Drops that; false where there is none.
+    /// Drops the tolerance report on one quantity. Returns `false` if there was none.
     pub(crate) fn leave_tolerance(&mut self) -> bool {
         let told = self.answers.as_mut().and_then(|asked| asked.told.take());
         told.is_some()
@@ -401,13 +403,14 @@ impl OpenScene {
         &self.driver_range
     }
 
-    /// Says again what was said once, in another language; the working when it is looked at.
+    /// Rebuilds cached text in the current language. The written solution is rebuilt when it is
+    /// shown.
     pub(crate) fn say_again(&mut self) {
         self.verdict = Verdict::new(&self.opened.scene, &self.opened.solver);
         self.explained = None;
     }
 
-    /// What there is to say of the linkage as a whole.
+    /// Returns the verdict on the linkage as a whole.
     pub(crate) fn verdict(&self) -> &Verdict {
         &self.verdict
     }
@@ -420,32 +423,34 @@ impl OpenScene {
         &self.sheet
     }
 
-    /// What the link is drawn as that a row of the vectors belongs to.
+    /// Returns the drawing role of the link of a row of the vectors.
     pub(crate) fn vector_role(&self, row: usize) -> Option<Role> {
         self.vector_roles.get(row).copied().flatten()
     }
 
-    /// The driver's coordinate, in degrees or in the scene's length unit.
+    /// Returns the driver's coordinate, in degrees or in the scene's length unit.
     pub(crate) fn at(&self) -> f64 {
         self.stand.at
     }
 
-    /// The same, and how it passes there.
+    /// Returns the driver's coordinate with its rates.
     pub(crate) fn stand(&self) -> &DriverStand {
         &self.stand
     }
 
-    /// When the driver is there, in s from the opening; `None` off its motion, and of one that runs by its speed.
+    /// Returns the time at the driver's position, in s from the start of its motion. `None` outside
+    /// the motion, and for a driver with constant speed.
     pub(crate) fn time(&self) -> Option<f64> {
         self.time
     }
 
-    /// The motion over time, of a scene that has one.
+    /// Returns the driver's motion over time, if the scene has one.
     pub(crate) fn timetable(&self) -> Option<&Timetable> {
         self.timetable.as_ref()
     }
 
-    /// The state here with all rates as they are at the scene's own speed, whatever its motion.
+    /// Returns the current state with the rates at the scene's constant driver speed, even if it
+    /// has a motion over time.
     pub(crate) fn state_by_speed(&self) -> State {
         let mut state = self.opened.solver.state();
         let order = match self.force_figures {
@@ -468,7 +473,7 @@ impl OpenScene {
         &self.tables
     }
 
-    /// The tables at another place, with their bounds.
+    /// Computes the tables with bounds at another driver state.
     pub(crate) fn tables_at(
         &self,
         stand: &DriverStand,
@@ -478,7 +483,7 @@ impl OpenScene {
         solved(&self.opened, stand, Order::Acceleration, state, enclosure)
     }
 
-    /// Places spread over the whole motion, the opening first.
+    /// Returns driver states over the whole motion, the initial one first.
     pub(crate) fn places(&self) -> Vec<DriverStand> {
         places(
             &self.opened.scene,
@@ -487,7 +492,7 @@ impl OpenScene {
         )
     }
 
-    /// The unit of the driver's coordinate.
+    /// Returns the unit of the driver's coordinate.
     pub(crate) fn unit(&self) -> &'static str {
         if self.driver_range.turns() {
             "deg"
@@ -496,7 +501,8 @@ impl OpenScene {
         }
     }
 
-    /// The preset so many places further on in the list; from a file, the first or the last.
+    /// Returns the preset at a distance in the list. From a scene that is no preset, returns the
+    /// first or the last.
     pub(crate) fn preset_at(&self, distance: isize) -> Option<&'static Preset> {
         let all = presets::all();
         let position = match &self.opened.origin {
@@ -513,7 +519,7 @@ impl OpenScene {
     }
 }
 
-/// The tables at a place, with their bounds, of a state that is solved as far as that.
+/// Solves a state to `order` and computes its tables with bounds.
 pub(crate) fn solved(
     opened: &Opened,
     stand: &DriverStand,
@@ -527,7 +533,7 @@ pub(crate) fn solved(
     Tables::bounded(&opened.scene, state, enclosure)
 }
 
-/// The tables at these places.
+/// Computes the tables at driver states.
 fn samples(opened: &Opened, places: &[DriverStand], state: &mut Workspace) -> Vec<Tables> {
     places
         .iter()
@@ -538,7 +544,7 @@ fn samples(opened: &Opened, places: &[DriverStand], state: &mut Workspace) -> Ve
         .collect()
 }
 
-/// Places spread over the whole motion, the opening first.
+/// Returns driver states over the whole motion, the initial one first.
 fn places(
     scene: &Scene,
     driver_range: &DriverRange,
@@ -557,7 +563,7 @@ fn places(
     let spread = std::iter::once(driver_range.opening()).chain(spread);
     match timetable {
         None => spread.map(DriverStand::at).collect(),
-        // Where it does not go by its motion it passes as the scene says without one.
+        // Outside its motion over time, the driver has the scene's constant speed.
         Some(timetable) => {
             let times = (0..=count).map(|k| timetable.period() * share(k));
             let moved = times.map(|time| timetable.stand(time));
@@ -569,11 +575,10 @@ fn places(
     }
 }
 
-/// Text of a scene that may be shown: one column to a character, and only such characters as the
-/// terminal has.
+/// Returns text of a scene in displayable form: characters of one column that the terminal has.
 pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> Cow<'_, str> {
     use crate::drawing::Glyphs;
-    // Nearly all of a frame, which every terminal has.
+    // A shortcut for nearly all text of a frame: every terminal has printable ASCII.
     if text.bytes().all(|byte| matches!(byte, b' '..=b'~')) {
         return Cow::Borrowed(text);
     }
@@ -583,7 +588,7 @@ pub(crate) fn shown(text: &str, glyphs: crate::drawing::Glyphs) -> Cow<'_, str> 
         Glyphs::Ascii => c.is_ascii(),
         // Console fonts have Latin-1.
         Glyphs::Line => u32::from(c) < 0x100,
-        // What was harmful is `?` here as elsewhere.
+        // A sanitized character is shown as `?`, as elsewhere.
         Glyphs::Braille | Glyphs::Blocks(_) if c == char::REPLACEMENT_CHARACTER => false,
         Glyphs::Braille | Glyphs::Blocks(_) => {
             let mut buffer = [0; 4];

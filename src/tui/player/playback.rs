@@ -1,37 +1,37 @@
-//! Slow motion: how far the driver is at what time, along its coordinate or along the time of its own motion.
+//! Computes the playback position at a time, along the driver coordinate or the time of its motion.
 //!
-//! Positions follow from the wall clock alone, never from how many frames were drawn: a slow line
-//! drops frames, not truth. Time comes in from outside, so a test can let it pass.
+//! Positions depend only on the wall clock, never on the number of drawn frames, so dropped frames
+//! do not slow the motion down. The time is passed in, so that tests control it.
 
 use std::time::Duration;
 
-/// Seconds that a sweep takes: a turn, or the travel of a slide. Slower to the left.
+/// Seconds per sweep: a full turn, or the travel of a slide. The slowest pace comes first.
 const PACES: [f64; 11] = [120.0, 60.0, 30.0, 20.0, 12.0, 8.0, 4.0, 2.0, 1.0, 0.5, 0.25];
-/// One turn in 4 s, whatever the driver's speed.
+/// Index of the initial pace: one turn in 4 s, independent of the driver's speed.
 const OPENING_PACE: usize = 6;
 
-/// What playing goes along: the driver's coordinate, or the time of its motion.
+/// The coordinate that playback varies: the driver's, or the time of its motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Track {
-    /// What is covered in one sweep: a turn, the travel of a slide, or a period.
+    /// The length of one sweep: a full turn, the travel of a slide, or a period.
     pub(crate) span: f64,
-    /// Between where and where it goes to and fro; `None` if it goes on for ever.
+    /// The limits between which playback oscillates; `None` if it continues without limits.
     pub(crate) shuttle: Option<(f64, f64)>,
-    /// How fast the scene goes along it, per second, without its sign.
+    /// The magnitude of the scene's own speed along the track, per second.
     pub(crate) speed: f64,
 }
 
-/// Whether, how fast and which way the driver moves on the screen.
+/// The state of playback: running or paused, its pace and its direction.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Playback {
-    /// When and where the motion that is going on began; `None` while paused.
+    /// The start time and start position of the current motion; `None` while paused.
     begun: Option<(Duration, f64)>,
     backwards: bool,
     pace: usize,
 }
 
 impl Playback {
-    /// Paused, forwards, at the usual pace.
+    /// Creates a paused playback, forwards and at the default pace.
     pub(crate) fn new() -> Self {
         Playback {
             begun: None,
@@ -48,53 +48,54 @@ impl Playback {
         self.backwards
     }
 
-    /// Seconds that a sweep takes.
+    /// Returns the seconds per sweep.
     pub(crate) fn seconds(&self) -> f64 {
         PACES[self.pace]
     }
 
-    /// How much faster than in the scene the driver moves; `None` if it stands still there.
+    /// Returns the ratio of the playback speed to the scene's speed; `None` if the latter is zero.
     pub(crate) fn ratio(&self, track: &Track) -> Option<f64> {
         let ratio = track.span / self.seconds() / track.speed;
         (ratio.is_finite() && ratio > 0.0).then_some(ratio)
     }
 
-    /// Begins to play, or begins anew, from `at`.
+    /// Starts or restarts playback from `at`.
     pub(crate) fn play(&mut self, now: Duration, at: f64) {
         self.begun = Some((now, at));
     }
 
-    /// Stops, wherever that is.
+    /// Pauses playback.
     pub(crate) fn pause(&mut self) {
         self.begun = None;
     }
 
-    /// Turns round; `at` and `now` matter while playing.
+    /// Reverses the direction, and continues from `at` if playing.
     pub(crate) fn reverse(&mut self, now: Duration, at: f64) {
         self.backwards = !self.backwards;
         self.rebase(now, at);
     }
 
-    /// The next faster pace, if there is one.
+    /// Selects the next faster pace, if there is one.
     pub(crate) fn faster(&mut self, now: Duration, at: f64) {
         self.pace = (self.pace + 1).min(PACES.len() - 1);
         self.rebase(now, at);
     }
 
-    /// The next slower pace, if there is one.
+    /// Selects the next slower pace, if there is one.
     pub(crate) fn slower(&mut self, now: Duration, at: f64) {
         self.pace = self.pace.saturating_sub(1);
         self.rebase(now, at);
     }
 
-    /// Goes on from `at`, if it is playing: after a jump, a change of pace, or a stopped program.
+    /// Continues from `at` if playing: after a jump, a change of pace, or a suspension.
     pub(crate) fn rebase(&mut self, now: Duration, at: f64) {
         if self.is_playing() {
             self.play(now, at);
         }
     }
 
-    /// Where on the track it is `now`; `None` while paused. Turns round at the ends of a limited range.
+    /// Returns the position on the track at `now`; `None` while paused. Reverses at the ends of a
+    /// limited range.
     pub(crate) fn position(&mut self, now: Duration, track: &Track) -> Option<f64> {
         let (since, from) = self.begun?;
         let passed = now.saturating_sub(since).as_secs_f64();
@@ -107,7 +108,7 @@ impl Playback {
         if span <= 0.0 {
             return Some(from);
         }
-        // Unrolled: up the range is 0 to span, down again is span to twice the span.
+        // Unrolled: 0 to `span` goes up the range, and `span` to `2 * span` goes down again.
         let up = (from - low).clamp(0.0, span);
         let phase = if self.backwards { 2.0 * span - up } else { up };
         let unrolled = (phase + moved) % (2.0 * span);
@@ -117,7 +118,7 @@ impl Playback {
         } else {
             low + unrolled
         };
-        // Keeps the direction and the phase together once it has turned round.
+        // Stores direction and phase together after a reversal.
         self.begun = Some((now, at));
         Some(at)
     }

@@ -1,14 +1,14 @@
-//! The size of a step: a ladder of round numbers.
+//! Step sizes of the driver: a sequence of round numbers.
 
-/// Steps of an angle, in degrees.
+/// Step sizes of an angle, in degrees.
 const DEGREES: [f64; 11] = [0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
-/// The step that a turning driver opens with: 5 deg.
+/// Index of the initial step of a turning driver: 5 deg.
 const OPENING_DEGREES: usize = 5;
-/// How many rungs the ladder of lengths has, and which one is about a hundredth of the travel.
+/// Number of step sizes of a length, and index of the one that is about a hundredth of the travel.
 const LENGTHS: i32 = 9;
 const OPENING_LENGTH: usize = 4;
 
-/// A ladder of steps, and the rung that is used.
+/// The available step sizes and the current one.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct StepLadder {
     ladder: Vec<f64>,
@@ -16,7 +16,7 @@ pub(crate) struct StepLadder {
 }
 
 impl StepLadder {
-    /// Steps of a link that turns.
+    /// Creates the step sizes for a turning link.
     pub(crate) fn of_angle() -> Self {
         StepLadder {
             ladder: DEGREES.to_vec(),
@@ -24,9 +24,10 @@ impl StepLadder {
         }
     }
 
-    /// Steps of a slide that travels `span`: 1, 2, 5, 10 and so on around a hundredth of it.
+    /// Creates the step sizes for a slide with travel `span`: 1, 2, 5, 10 and so on around a
+    /// hundredth of it.
     pub(crate) fn of_length(span: f64) -> Self {
-        // Three rungs to a power of ten: 1, 2, 5.
+        // Three sizes per power of ten: 1, 2, 5.
         let hundredth = (span / 100.0).log10() * 3.0;
         let middle = if hundredth.is_finite() {
             hundredth.clamp(-900.0, 900.0).floor()
@@ -41,23 +42,24 @@ impl StepLadder {
         }
     }
 
-    /// The step, in degrees or in the scene's length unit.
+    /// Returns the current step, in degrees or in the scene's length unit.
     pub(crate) fn size(&self) -> f64 {
         self.ladder[self.rung]
     }
 
-    /// The next larger one, if there is one.
+    /// Selects the next larger step, if there is one.
     pub(crate) fn larger(&mut self) {
         self.rung = (self.rung + 1).min(self.ladder.len() - 1);
     }
 
-    /// The next smaller one, if there is one.
+    /// Selects the next smaller step, if there is one.
     pub(crate) fn smaller(&mut self) {
         self.rung = self.rung.saturating_sub(1);
     }
 }
 
-/// 1, 2, 5, 10, 20, 50 and so on for 0, 1, 2, 3, 4, 5, downwards too.
+/// Returns 1, 2, 5, 10, 20, 50 and so on for 0, 1, 2, 3, 4, 5; negative arguments continue the
+/// sequence downwards.
 fn one_two_five(rung: i32) -> f64 {
     let digit = [1.0, 2.0, 5.0][usize::try_from(rung.rem_euclid(3)).unwrap_or(0)];
     let power = rung.div_euclid(3);

@@ -1,4 +1,4 @@
-//! When the driver is where, of a scene with a motion over time.
+//! The driver's position over time, for a scene with a motion law.
 
 use crate::MotionLaw;
 use crate::quantity::{Clock, DriverStand};
@@ -12,15 +12,16 @@ pub(crate) struct Timetable {
     clock: Clock,
     law: MotionLaw,
     range: Range,
-    /// Decimals that times are rounded to while playing, so that what is shown is what was solved.
+    /// The number of decimals to which times are rounded during playback, so that the displayed
+    /// time is the solved one.
     decimals: usize,
 }
 
-/// A period has at least so many decimal places in it, as a power of ten.
+/// Minimum number of time steps in a period, as a power of ten.
 const PLACES: f64 = 3.0;
 
 impl Timetable {
-    /// `None` for a driver that runs by its speed.
+    /// Creates the timetable of a scene; `None` for a driver with constant speed.
     pub(crate) fn new(scene: &Scene, range: Range) -> Option<Timetable> {
         let (law, clock) = (scene.motion.clone()?, Clock::of(scene)?);
         let digits = law.period().log10().floor();
@@ -33,12 +34,12 @@ impl Timetable {
         })
     }
 
-    /// The time after which the motion begins anew, in s.
+    /// Returns the period of the motion, in s.
     pub(crate) fn period(&self) -> f64 {
         self.law.period()
     }
 
-    /// Where the driver is at a time, and how it passes there.
+    /// Returns the driver state at a time.
     pub(crate) fn stand(&self, time: f64) -> DriverStand {
         let moment = self.clock.moment(time, self.range);
         DriverStand {
@@ -47,7 +48,8 @@ impl Timetable {
         }
     }
 
-    /// The same where it is at a coordinate, which no time makes less exact; off the motion at the scene's speed.
+    /// Returns the driver state at an exact coordinate, with the rates at `time`. Without a time,
+    /// the rates are those of the scene's constant speed.
     pub(crate) fn stand_at(&self, at: f64, time: Option<f64>) -> DriverStand {
         let pace = match time {
             Some(time) => self.clock.moment(time, self.range),
@@ -59,21 +61,22 @@ impl Timetable {
         }
     }
 
-    /// When it is at a coordinate, next to a time; `None` off the motion.
+    /// Returns the time nearest to `time` at which the driver has a coordinate; `None` outside the
+    /// motion.
     pub(crate) fn nearest(&self, at: f64, time: f64) -> Option<f64> {
         self.law.nearest(at, time)
     }
 
-    /// A time as playing shows it.
+    /// Rounds a time as in playback.
     pub(crate) fn on_grid(&self, time: f64) -> f64 {
         rounded(time, self.decimals)
     }
 
-    /// A time from where the motion last began, in s.
+    /// Formats a time since the start of the current period, in s.
     pub(crate) fn text(&self, time: f64) -> String {
         let since = time.rem_euclid(self.period());
         let text = format!("{since:.*}", self.decimals);
-        // What rounds to a whole period is the beginning of the next.
+        // A time that rounds to a whole period starts the next one.
         match text == format!("{:.*}", self.decimals, self.period()) {
             true => format!("{:.*}", self.decimals, 0.0),
             false => text,

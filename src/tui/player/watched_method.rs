@@ -1,4 +1,4 @@
-//! A method at work on the present state, while it is watched.
+//! Keeps the iterations of a watched method at the current state.
 
 use super::explained::Explained;
 use crate::page::Page;
@@ -10,7 +10,7 @@ use crate::tui::Opened;
 /// Significant digits, as in the tables.
 const DIGITS: usize = 6;
 
-/// The iterations of a method, and what they are written from.
+/// The iterations of a method, with the data to update them.
 #[derive(Debug)]
 pub(crate) struct WatchedMethod {
     method: PositionMethod,
@@ -22,8 +22,8 @@ pub(crate) struct WatchedMethod {
 }
 
 impl WatchedMethod {
-    /// A method at a coordinate, from a guess as it is typed if that is one for the scene; `None` where the scene has
-    /// too many links for it.
+    /// Runs a method at a coordinate, from the typed guess if it is valid for the scene. Returns
+    /// `None` if the scene has too many links.
     pub(crate) fn new(
         (method, guess): (PositionMethod, &str),
         opened: &Opened,
@@ -46,10 +46,11 @@ impl WatchedMethod {
         Some(watched)
     }
 
-    /// Begins at another guess, as it is typed; at the sketch of where the scene opens if nothing is.
+    /// Sets the typed initial guess. An empty guess means the sketch at the scene's initial
+    /// coordinate.
     ///
     /// # Errors
-    /// In words, where that is no guess for the scene; then nothing has changed.
+    /// Returns a message if the guess is invalid for the scene; the previous one then stays.
     pub(crate) fn begin_at(&mut self, guess: &str, opened: &Opened) -> Result<(), String> {
         let guesses = Guess::listed(guess).map_err(|error| error.to_string())?;
         let worked = self.work(&guesses, opened)?;
@@ -63,10 +64,10 @@ impl WatchedMethod {
         self.working.watched(self.method, stand, guesses, DIGITS)
     }
 
-    /// The driver is somewhere else.
+    /// Updates the iterations for another driver coordinate.
     pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
         let _ = opened.solver.solve(at, Order::Position, &mut self.state);
-        // What was a guess for the scene is one at every place of it.
+        // A guess that is valid for the scene is valid at every coordinate.
         if let Ok(worked) = self.work(&self.guesses, opened) {
             (self.page, self.curves) = (worked.page, worked.curves);
         }

@@ -1,4 +1,4 @@
-//! What can be found out about the terminal without asking it.
+//! Reports the system's knowledge of the terminal, without querying the terminal itself.
 
 use super::line::{Wire, window};
 use rustix::fs::{Mode, OFlags, open};
@@ -6,21 +6,21 @@ use rustix::termios::isatty;
 use std::io::{stderr, stdin, stdout};
 use std::os::fd::AsFd;
 
-/// What the system knows of the terminal that the program runs on.
+/// The properties of the program's terminal as known to the system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Terminal {
-    /// Columns and rows of its screen, 0 where it does not tell.
+    /// Columns and rows of the screen; 0 if unknown.
     pub size: (u16, u16),
-    /// Width and height of a cell in pixels, where it tells.
+    /// Width and height of a cell in pixels, if known.
     pub cell: Option<(u16, u16)>,
-    /// The speed of a real serial line.
+    /// The speed of a real serial line, in baud.
     pub baud: Option<u32>,
-    /// Whether it is a console of this machine.
+    /// `true` for a console of this machine.
     pub console: bool,
 }
 
 impl Terminal {
-    /// The terminal behind standard output, input or error, or else the one that controls the program.
+    /// Returns the terminal of standard output, input or error, or else the controlling terminal.
     #[must_use]
     pub fn find() -> Option<Self> {
         let standard = Self::of(stdout())

@@ -1,6 +1,6 @@
-//! Bytes as text: what sequences of terminals carry.
+//! Encodes bytes as base64, for terminal sequences.
 
-/// Three bytes as four characters (RFC 4648, section 4).
+/// Encodes bytes as base64: four characters for three bytes (RFC 4648, section 4).
 pub(super) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -9,7 +9,7 @@ pub(super) fn base64(bytes: &[u8]) -> String {
         let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
         for n in 0..4 {
             let digit = bits >> (18 - 6 * n) & 0x3f;
-            // A byte needs two characters, two bytes three.
+            // One byte needs two characters, two bytes need three.
             match n as usize <= three.len() {
                 true => text.push(char::from(DIGITS[digit as usize])),
                 false => text.push('='),

@@ -1,22 +1,23 @@
-//! The clipboard of the terminal that the person sits at, which may be far from here: OSC 52.
+//! Copies text to the clipboard of the user's terminal, also over a network, with OSC 52.
 
 use super::base64::base64;
 use crate::wording::words;
 use thiserror::Error;
 
-/// Many terminals drop a sequence of more than 100,000 bytes, and some of more than this in base64.
+/// Maximum length in base64. Many terminals drop sequences above 100,000 bytes, and some above this
+/// length.
 const MOST_BASE64: usize = 74_994;
-/// Three bytes are four characters.
+/// Maximum length of a text: three bytes are four characters of base64.
 const MOST_BYTES: usize = MOST_BASE64 / 4 * 3;
 
-/// More than a terminal takes.
+/// The error for a text longer than terminals accept.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("{}", words().too_much_to_copy(*bytes))]
 pub(crate) struct TooLarge {
     bytes: usize,
 }
 
-/// The bytes that put a text on the clipboard. Nothing answers: whether it arrived is not known.
+/// Returns the sequence that copies a text to the clipboard. The terminal does not confirm it.
 pub(crate) fn sequence(text: &str) -> Result<Vec<u8>, TooLarge> {
     if text.len() > MOST_BYTES {
         return Err(TooLarge { bytes: text.len() });

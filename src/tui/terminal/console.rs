@@ -1,4 +1,4 @@
-//! What a session draws on, waits for and takes the time from: the terminal, or a simulated one.
+//! Abstracts the terminal and clock of a session, so that tests can simulate them.
 
 use super::still::StillSequence;
 use super::tty::{Tty, Wake};
@@ -8,7 +8,7 @@ use std::os::fd::BorrowedFd;
 use std::path::Path;
 use std::time::Instant;
 
-/// A terminal and its clock. The methods are those of [`Tty`].
+/// A terminal with its clock. Its methods are documented at [`Tty`].
 pub(crate) trait Console {
     /// Returns the current time.
     fn now(&self) -> Instant;

@@ -1,8 +1,9 @@
-//! Takes in keys and signals, also while the main thread computes.
+//! Reads keys and signals, even while the main thread computes.
 //!
-//! The main thread says when it waits for the terminal. While it does not, a second thread reads ahead: what it reads
-//! is kept for the main thread, unless it ends the program and the main thread does not come back for it. Then the
-//! second thread puts the terminal back and ends the process. While the main thread waits, the second one sleeps.
+//! The main thread announces when it waits for the terminal. While it computes, a second thread
+//! reads ahead and stores the input for it. If the input ends the program and the main thread does
+//! not respond, the second thread restores the terminal and ends the process. While the main thread
+//! waits, the second one sleeps.
 
 use super::keyboard::{Keyboard, TerminalInput};
 use super::signals::{HANG_UP, Notice, Signals, die_of};
@@ -16,29 +17,29 @@ use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What is read before a frame is drawn; a terminal's queue holds no more.
+/// Maximum number of bytes read before a frame; a terminal's queue holds no more.
 const MOST_AT_ONCE: usize = 4096;
-/// Who computes for so long is watched, and looked after so often.
+/// Computing time after which the second thread starts reading, and its interval between reads.
 const WATCHED: Duration = Duration::from_millis(100);
-/// How long the main thread may take to come back for what ends the program.
+/// Maximum time for the main thread to respond to input that ends the program.
 const GRACE: Duration = Duration::from_millis(500);
-/// How long a stalled line may hold up leaving.
+/// Maximum time for restoring the terminal on a stalled line.
 pub(super) const FAREWELL: Duration = Duration::from_millis(500);
 const AT_ONCE: Timespec = Timespec {
     tv_sec: 0,
     tv_nsec: 0,
 };
 
-/// What has come from the terminal or the system.
+/// Input from the terminal or the system.
 #[derive(Debug)]
 pub(super) enum Arrival {
-    /// From the terminal, and when.
+    /// Input from the terminal, with its time.
     Input(TerminalInput, Instant),
     /// A signal.
     Notice(Notice),
 }
 
-/// What ends the program.
+/// The cause that ends the program.
 #[derive(Clone, Copy, Debug)]
 enum Ending {
     /// Ctrl-C.
@@ -47,7 +48,7 @@ enum Ending {
     HungUp,
 }
 
-/// Puts the terminal back as it was found.
+/// Everything needed to restore the terminal.
 #[derive(Debug)]
 pub(super) struct Parting {
     pub(super) screen: OwnedFd,
@@ -62,19 +63,19 @@ pub(super) struct Intake {
     signals: Signals,
     pub(super) keyboard: Keyboard,
     arrivals: Vec<Arrival>,
-    /// What of the arrivals ends the program, and since when it waits.
+    /// The cause among the arrivals that ends the program, and the time of its arrival.
     ending: Option<(Ending, Instant)>,
     pub(super) hung_up: bool,
-    /// Since when the main thread computes; `None` while it waits for the terminal.
+    /// The time since which the main thread computes; `None` while it waits for the terminal.
     busy: Option<Instant>,
-    /// Whether the second thread is to be woken when the main one begins to compute.
+    /// `true` if the second thread must be woken when the main thread starts computing.
     is_asleep: bool,
     has_left: bool,
-    /// `None` while the terminal is as it was found.
+    /// `None` while the terminal is in its original state.
     pub(super) parting: Option<Parting>,
 }
 
-/// An intake that both threads reach.
+/// An intake shared by both threads.
 #[derive(Debug)]
 pub(super) struct SharedIntake {
     intake: Mutex<Intake>,
@@ -97,7 +98,7 @@ impl Intake {
         }
     }
 
-    /// Takes in what signals and keys have come, without waiting.
+    /// Reads pending signals and keys without waiting.
     pub(super) fn collect(&mut self) -> io::Result<()> {
         let mut inputs = Vec::new();
         self.read_keys(&mut inputs)?;
@@ -118,13 +119,14 @@ impl Intake {
         Ok(())
     }
 
-    /// Returns what has come since the last call.
+    /// Returns the arrivals since the last call.
     pub(super) fn take(&mut self) -> Vec<Arrival> {
         self.ending = None;
         std::mem::take(&mut self.arrivals)
     }
 
-    /// Reads once, without waiting. The end of the file and an error of the device mean that the terminal is gone.
+    /// Reads keys once, without waiting. End of file or a device error means that the terminal is
+    /// gone.
     fn read_keys(&mut self, inputs: &mut Vec<TerminalInput>) -> io::Result<()> {
         let mut fds = [PollFd::new(&self.keys, PollFlags::IN)];
         match poll(&mut fds, Some(&AT_ONCE)) {
@@ -139,7 +141,8 @@ impl Intake {
         match read(&self.keys, &mut buffer) {
             Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
             Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),
-            // Nothing to read, and yet poll returned: without this the loop would spin.
+            // `poll` returned although there is nothing to read. Without this check the loop would
+            // spin.
             Err(Errno::AGAIN) => self.hung_up |= is_gone(ready),
             Err(Errno::INTR) => {}
             Err(error) => return Err(error.into()),
@@ -147,7 +150,7 @@ impl Intake {
         Ok(())
     }
 
-    /// Ends the process: the main thread computes and does not come back.
+    /// Restores the terminal and ends the process, because the main thread does not respond.
     fn end(&self, ending: Ending) {
         if let Some(parting) = self.parting.as_ref().filter(|_| !self.hung_up) {
             parting.write(Instant::now() + FAREWELL);
@@ -173,7 +176,7 @@ impl Arrival {
 }
 
 impl Parting {
-    /// Writes what puts the screen back, on a line that stalls until a deadline.
+    /// Writes the bytes that restore the screen, retrying on a stalled line until the deadline.
     fn write(&self, deadline: Instant) {
         let mut bytes = &self.bytes[..];
         while !bytes.is_empty() && Instant::now() < deadline {
@@ -188,7 +191,8 @@ impl Parting {
 }
 
 impl SharedIntake {
-    /// Starts the second thread. Where the system creates none, what ends the program waits for the main one.
+    /// Starts the second thread. If the system creates none, only the main thread can end the
+    /// program.
     pub(super) fn watched(intake: Intake) -> Arc<SharedIntake> {
         let shared = Arc::new(SharedIntake {
             intake: Mutex::new(intake),
@@ -204,14 +208,15 @@ impl SharedIntake {
         self.intake.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The main thread waits for the terminal from now on. Returns `true` if something has come already.
+    /// Notes that the main thread waits for the terminal. Returns `true` if arrivals are already
+    /// pending.
     pub(super) fn rest(&self) -> bool {
         let mut intake = self.lock();
         intake.busy = None;
         !intake.arrivals.is_empty()
     }
 
-    /// The main thread computes from now on.
+    /// Notes that the main thread computes.
     pub(super) fn work(&self) {
         let mut intake = self.lock();
         intake.busy = Some(Instant::now());
@@ -220,7 +225,7 @@ impl SharedIntake {
         }
     }
 
-    /// The terminal was given back for good.
+    /// Ends the second thread after the terminal was finally restored.
     pub(super) fn leave(&self) {
         self.lock().has_left = true;
         self.turned.notify_one();
@@ -246,7 +251,7 @@ impl SharedIntake {
             if intake.has_left || intake.busy != Some(since) || since.elapsed() < WATCHED {
                 continue;
             }
-            // What cannot be read now the main thread finds out.
+            // The main thread will meet the same error.
             let _ = intake.collect();
             if let Some((ending, waits)) = intake.ending
                 && waits.elapsed() >= GRACE
@@ -257,12 +262,12 @@ impl SharedIntake {
     }
 }
 
-/// Whether what poll says means that the terminal is gone.
+/// Returns `true` if the events of `poll` mean that the terminal is gone.
 pub(super) fn is_gone(events: PollFlags) -> bool {
     events.intersects(PollFlags::HUP | PollFlags::ERR | PollFlags::NVAL)
 }
 
-/// Descriptors of an intake, to wait on without holding it.
+/// The descriptors of an intake, for waiting without its lock.
 #[derive(Debug)]
 pub(super) struct IntakeEnds {
     pub(super) keys: OwnedFd,

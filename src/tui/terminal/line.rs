@@ -1,33 +1,33 @@
-//! The line behind a descriptor: of what kind it is, how fast, and how large the screen at its end.
+//! Determines the kind, speed and screen size of the line behind a descriptor.
 
 use rustix::fs::{fstat, major, minor};
 use rustix::termios::{tcgetattr, tcgetwinsize};
 use std::os::fd::AsFd;
 
-/// Device numbers of Linux: slaves of pseudo-terminals, and terminals of which the lower minor numbers
-/// are virtual consoles.
+/// Linux device numbers: pseudo-terminal slaves, and terminals, whose lower minor numbers are
+/// virtual consoles.
 const PSEUDO_TERMINALS: std::ops::RangeInclusive<u32> = 136..=143;
 const TERMINALS: u32 = 4;
 const FIRST_SERIAL: u32 = 64;
 /// `/dev/tty` and `/dev/console`.
 const OTHER_NAMES: u32 = 5;
 
-/// What carries the bytes.
+/// The kind of line that carries the bytes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Wire {
-    /// A window, a multiplexer or a network connection: termios says nothing true about its speed.
+    /// A window, a multiplexer or a network connection. Its speed in termios is meaningless.
     Pseudo,
     /// A console of this machine.
     Console,
-    /// A real line, set to so many bits a second.
+    /// A real serial line with this speed, in bits per second.
     Serial(u32),
 }
 
-/// Bits on a serial line for each byte: one to start, eight, one to stop.
+/// Bits on a serial line per byte: one start bit, eight data bits, one stop bit.
 const BITS: f64 = 10.0;
 
 impl Wire {
-    /// The line behind a terminal.
+    /// Returns the kind of line behind a terminal.
     pub(crate) fn of(terminal: impl AsFd) -> Option<Wire> {
         let device = fstat(&terminal).ok()?.st_rdev;
         let speed = tcgetattr(&terminal).ok()?.output_speed();
@@ -39,7 +39,7 @@ impl Wire {
         })
     }
 
-    /// Bytes a second, where that is known.
+    /// Returns the speed in bytes per second, if known.
     pub(crate) fn rate(self) -> Option<f64> {
         match self {
             Wire::Pseudo | Wire::Console => None,
@@ -48,7 +48,8 @@ impl Wire {
     }
 }
 
-/// Columns and rows of a terminal, and the pixels of all together; 0 for what is not told.
+/// Returns the columns and rows of a terminal and its width and height in pixels; unknown values
+/// are 0.
 pub(crate) fn window(terminal: impl AsFd) -> Option<[u16; 4]> {
     let size = tcgetwinsize(terminal).ok()?;
     Some([size.ws_col, size.ws_row, size.ws_xpixel, size.ws_ypixel])

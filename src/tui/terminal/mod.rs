@@ -1,8 +1,8 @@
-//! All that lies between krank and the terminal: modes, keys, signals and bytes.
+//! Handles the terminal: modes, keys, signals and output.
 //!
-//! Everything that goes to the terminal or comes from it passes here, and nothing of it knows
-//! linkages. One reader reads all that the terminal sends (`intake`, `keyboard`), one writer writes whole
-//! frames (`painter`), one guard puts the terminal back as it was found (`tty`).
+//! All terminal input and output passes through this module, which knows nothing about linkages.
+//! One reader parses all input (`intake`, `keyboard`), one writer writes whole frames (`painter`),
+//! and one guard restores the terminal's original state (`tty`).
 
 mod about;
 mod base64;

@@ -1,10 +1,10 @@
-//! In place of the watch on the scene's file, where the kernel has no inotify: nothing is told, and time stamp
-//! and size are looked at whenever something else happens.
+//! A stub of the file watch for systems without inotify. It reports nothing; time stamp and size
+//! are checked at every other event.
 
 use rustix::fd::BorrowedFd;
 use std::path::Path;
 
-/// A watch on nothing.
+/// A watch that never reports anything.
 #[derive(Debug)]
 pub(super) struct Watch;
 

@@ -1,16 +1,16 @@
-//! From a screen to the fewest bytes that bring the terminal there.
+//! Computes the shortest byte sequence that updates the terminal to a wanted screen.
 //!
-//! The painter knows what the terminal shows, compares it with the screen that is wanted, and writes
-//! what differs: one frame, one block of bytes, none at all where nothing differs. It keeps to what
-//! a VT100 understands (CUP, CUF, EL, SGR), asks nothing, and never relies on where the cursor is
-//! after the last column. Every cell is one column wide: the views let nothing else through.
+//! The painter knows the terminal's contents, compares them with the wanted screen, and writes the
+//! differences: one frame is one block of bytes, or none at all. It uses only sequences of a VT100
+//! (CUP, CUF, EL, SGR), sends no queries, and never relies on the cursor position after the last
+//! column. Every cell is one column wide; the views exclude wider characters.
 //!
-//! What differs is written row by row, or where that takes fewer bytes, as on a drawing in true colours,
-//! hue by hue.
+//! Differences are written row by row, or style by style if that is shorter, as for a drawing in
+//! true colours.
 //!
-//! A frame for which the line has no room is cut, and the rest is carried over: what the terminal
-//! shows is known cell by cell, so that the next frame simply has these changes left. What is urgent
-//! comes first, the rest from the top, or from where the last frame was cut.
+//! A frame that exceeds the line's capacity is cut, and the rest is carried over: the terminal's
+//! contents are known cell by cell, so the next frame simply contains the remaining changes. Urgent
+//! parts come first, then the rest from the top or from the row of the last cut.
 
 mod changes;
 mod pen;
@@ -27,38 +27,39 @@ use pen::CellPen;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// What a frame begins with at the most: synchronised, and the screen cleared.
+/// Maximum length of a frame's start: synchronized mode, and clearing the screen.
 const BEGINNING: usize = 16;
-/// What a frame may end with beyond its room: a cell with its way and its attributes, and these taken back.
+/// Maximum length beyond the limit at a frame's end: one cell with cursor movement and attributes,
+/// and their reset.
 const ENDING: usize = 32;
-/// Where a frame has less room than this, the line is slow, and what is urgent is roughly drawn at first.
+/// Limit below which the line counts as slow, so that urgent parts are first drawn roughly.
 const HASTY: usize = 1000;
 
-/// Writes frames.
+/// Computes frames.
 #[derive(Debug)]
 pub(crate) struct Painter {
     look: CellStyle,
-    /// Whether frames are bracketed, so that they appear at once.
+    /// `true` if frames use synchronized mode, so that they appear at once.
     synchronised: bool,
-    /// What the terminal shows, as far as `stale` does not say otherwise.
+    /// The terminal's contents, unless `stale`.
     shown: Buffer,
-    /// What it is to show.
+    /// The wanted screen.
     wanted: Buffer,
-    /// Whether it shows something else, so that all must be cleared and drawn again.
+    /// `true` if the terminal's contents are unknown and must be cleared and redrawn.
     stale: bool,
     /// The row at which the last frame was cut.
     cut: Option<u16>,
-    /// So many bytes a frame may have.
+    /// The maximum length of a frame, in bytes.
     room: usize,
     pen: CellPen,
-    /// What is to be written next, row by row, and the same hue by hue.
+    /// The changes to write, row by row and style by style.
     changes: Vec<CellChange>,
     by_style: Vec<CellChange>,
     frames: Frames,
 }
 
 impl Painter {
-    /// A painter for a terminal that shows anything.
+    /// Creates a painter for a terminal with unknown contents.
     #[must_use]
     pub(crate) fn new(capability: Capability) -> Self {
         let palette = Palette {
@@ -83,18 +84,18 @@ impl Painter {
         }
     }
 
-    /// Forgets what the terminal shows: the next frame clears it and draws everything.
+    /// Marks the terminal's contents as unknown: the next frame clears and redraws everything.
     pub(crate) fn forget(&mut self) {
         self.stale = true;
     }
 
-    /// Sends colours so from now on. What was drawn with others is drawn again.
+    /// Sets the palette. A different one causes a complete redraw.
     pub(crate) fn paint_with(&mut self, palette: Palette) {
         self.stale |= self.look.palette != palette;
         self.look.palette = palette;
     }
 
-    /// Whether a part of the terminal shows something else than is wanted of it.
+    /// Returns `true` if a part of the terminal differs from the wanted screen.
     #[must_use]
     pub(crate) fn differs_in(&self, part: Rect) -> bool {
         let part = part.intersection(self.wanted.area);
@@ -104,26 +105,27 @@ impl Painter {
                 .any(|at| !identical(&self.shown[at], &self.wanted[at]))
     }
 
-    /// What has been painted so far.
+    /// Returns the number and size of the frames so far.
     #[must_use]
     pub(crate) fn frames(&self) -> Frames {
         self.frames
     }
 
-    /// Whether the last frame was cut: the terminal does not yet show what is wanted.
+    /// Returns `true` if the last frame was cut, so that the terminal lacks part of the wanted
+    /// screen.
     #[must_use]
     pub(crate) fn is_cut(&self) -> bool {
         self.cut.is_some()
     }
 
-    /// What the terminal is to show from the next frame on: empty, and of this size.
+    /// Returns the wanted screen for the next frame: empty, of this size.
     pub(crate) fn canvas(&mut self, area: Rect) -> &mut Buffer {
         empty(&mut self.wanted, area);
         &mut self.wanted
     }
 
-    /// The bytes that make the terminal show what is wanted, what is `urgent` first; none if it does
-    /// already. About `room` of them at the most: [`Painter::is_cut`] says whether that was enough.
+    /// Returns the bytes that update the terminal, `urgent` parts first; none if it is up to date.
+    /// About `room` bytes at most: [`Painter::is_cut`] says whether that was enough.
     pub(crate) fn frame(&mut self, urgent: &[Rect], room: usize) -> &[u8] {
         self.pen.begin();
         self.stale |= self.shown.area != self.wanted.area;
@@ -141,13 +143,13 @@ impl Painter {
         let from = self.cut.take().unwrap_or(0);
         self.cut = self.rows(urgent, from).err();
         if self.pen.bytes.len() == prologue {
-            // If the screens differ, then in what this terminal cannot show, a colour for instance.
+            // The screens differ only in properties that this terminal lacks, such as colours.
             self.pen.bytes.clear();
             return &self.pen.bytes;
         }
         self.pen.set(Sgr::PLAIN);
         if self.is_cut() {
-            // Half a picture need not appear at once, and the brackets cost as much as a figure.
+            // A cut frame need not appear at once, and the brackets cost as much as a number.
             self.pen.bytes.drain(..prologue);
         } else if self.synchronised {
             queue(&mut self.pen.bytes, EndSynchronizedUpdate);
@@ -157,7 +159,7 @@ impl Painter {
         &self.pen.bytes
     }
 
-    /// Writes what differs, until there is no room: then the row that was being written.
+    /// Writes the differences up to the limit. The error is the row of the cut.
     fn rows(&mut self, urgent: &[Rect], from: u16) -> Result<(), u16> {
         let area = self.wanted.area;
         let rough = self.room < HASTY;
@@ -173,7 +175,7 @@ impl Painter {
         self.write()
     }
 
-    /// Puts on the list what differs in some columns of a row.
+    /// Lists the differences in a range of columns of a row.
     fn find(&mut self, y: u16, columns: Rect, rough: bool) {
         let screens = Screens {
             look: self.look,
@@ -183,8 +185,8 @@ impl Painter {
         screens.find(y, columns.left()..columns.right(), rough, &mut self.changes);
     }
 
-    /// Writes what is on the list, in the order that takes fewer bytes; where there is no room for all of
-    /// it, row by row, and then the row that has no room is the error.
+    /// Writes the listed changes in the shorter order. If they exceed the limit, writes them row by
+    /// row; the error is the row of the cut.
     fn write(&mut self) -> Result<(), u16> {
         let screens = Screens {
             look: self.look,
@@ -204,7 +206,7 @@ impl Painter {
     }
 }
 
-/// Nothing but ground, of this size; memory is used again.
+/// Resizes a buffer and clears it, reusing its memory.
 fn empty(buffer: &mut Buffer, area: Rect) {
     buffer.resize(area);
     buffer.reset();
@@ -350,7 +352,7 @@ mod tests {
         })
     }
 
-    /// What can be seen of a cell: of a blank neither its colour nor whether it is bold.
+    /// Returns the visible properties of a cell: those of a blank exclude its colour and boldness.
     fn seen(terminal: &vt100::Parser, x: u16, y: u16) -> impl PartialEq + std::fmt::Debug {
         let cell = terminal.screen().cell(y, x).unwrap();
         let blank = !cell.has_contents() || cell.contents() == " ";

@@ -1,115 +1,124 @@
-//! How fast frames may follow each other, and how long they may be: no more than the line takes.
+//! Limits the rate and length of frames to the capacity of the line.
 //!
-//! The kernel does not tell: a pseudo-terminal swallows 19 kB before it stops being writable, which is
-//! 20 s of a line of 9,600 baud. The terminal itself does: each frame is followed by the question for
-//! its status, whose answer comes when the frame has been drawn, and until then no other is sent. So
-//! at most one frame is on its way, and how long its answer took tells what the next one may cost.
+//! The kernel does not report the capacity: a pseudo-terminal buffers 19 kB before it stops being
+//! writable, which is 20 s on a line of 9,600 baud. The terminal itself reveals it: each frame is
+//! followed by a status query, which the terminal answers once the frame is drawn. Until then no
+//! other frame is sent. So at most one frame is in flight, and the time to its answer determines
+//! the length of the next one.
 //!
-//! The first frame is a short one, which tells a slow line from a fast one before a whole screen is
-//! on its way. Nobody waits long for its answer: a terminal that does not answer gets whole frames,
-//! at a fixed pace. A real serial line tells its speed by itself.
+//! The first frame is short, to distinguish slow lines from fast ones before a whole screen is
+//! sent. Its answer is not awaited long: a terminal that does not answer gets whole frames at a
+//! fixed pace. The speed of a real serial line is known.
 
 use std::time::{Duration, Instant};
 
 /// Device status report: every terminal since the VT100 answers with [`ANSWER`].
 pub(super) const QUESTION: &[u8] = b"\x1b[5n";
-/// All is well.
+/// The answer that reports no malfunction.
 pub(super) const ANSWER: &[u8] = b"\x1b[0n";
 
-/// What the line may take for one frame. A key waits for the frame on its way at the most, and then
-/// its own first line takes as long again.
+/// Time on the line for one frame. A key waits at most for the frame in flight, and then as long
+/// again for its own first line.
 const FRAME: Duration = Duration::from_millis(250);
-/// The first frame: the last line and the title, an eighth of a second at 9,600 baud.
+/// Length of the first frame in bytes: the last line and the title, an eighth of a second at 9,600
+/// baud.
 const PROBE: usize = 128;
-/// However slow a line is, a frame has room for this.
+/// Minimum length limit of a frame in bytes, even on the slowest line.
 const LEAST: f64 = 64.0;
-/// How long the first frame is waited for: twice what it takes at 9,600 baud.
+/// Maximum wait for the first answer: twice its duration at 9,600 baud.
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
-/// Between frames while it is not known whether the terminal answers.
+/// Pause between frames while it is unknown whether the terminal answers.
 const CAREFUL: Duration = Duration::from_millis(200);
-/// Between frames where it does not.
+/// Pause between frames for a terminal that does not answer.
 const MUTE: Duration = Duration::from_millis(100);
-/// A terminal that has not answered for so long does not answer at all. An answer that was given up may still come.
+/// Time without an answer after which the terminal counts as mute. An abandoned answer may still
+/// arrive.
 const PATIENCE: Duration = Duration::from_secs(4);
-/// An answer that takes so many times what it should is lost: somebody typed into it, or the line is noisy.
+/// Factor over the expected time after which an answer counts as lost, because of typed input or
+/// line noise.
 const TOO_LATE: f64 = 4.0;
-/// However quick a line is, a terminal may have something else to do for a moment.
+/// Minimum wait for an answer, because a terminal may be briefly busy even on a fast line.
 const LEAST_PATIENCE: Duration = Duration::from_millis(200);
-/// No lost answer stops the screen for longer, whatever the line was found to take while the machine was busy.
+/// Maximum wait for a lost answer, whatever rate was measured while the machine was busy.
 const MOST_PATIENCE: Duration = Duration::from_secs(1);
-/// After so many lost answers one after the other no more is asked.
+/// Number of consecutive lost answers after which no more queries are sent.
 const MOST_LOST: u32 = 3;
-/// An answer that comes later tells nothing of the line: it may be to another question, or to none.
+/// Maximum age of an answer for measuring the line. A later one may belong to another query or to
+/// none.
 const LONGEST_WAY: Duration = Duration::from_secs(2);
-/// How long leaving waits for an answer, which would otherwise be typed into the shell.
+/// Maximum wait for an answer at exit, because the shell would take it for typed text.
 const FAREWELL: Duration = Duration::from_millis(800);
 
-/// Answers take at least so long: a shorter time says nothing about the line.
+/// Minimum time of an answer in seconds; shorter times say nothing about the line.
 const QUICK: f64 = 0.001;
-/// What an answer is late by must be worth mentioning before the line is thought to be slower.
+/// Minimum lateness of an answer, in seconds, to assume a slower line.
 const LATE: f64 = 0.125;
-/// Frames this much longer than the shortest tell the rate of the line by the difference.
+/// Minimum excess length over the shortest frame, in bytes, to compute the rate from the
+/// difference.
 const LONGER: f64 = 64.0;
 
-/// Room for any screen; a line that becomes slow is the sooner noticed.
+/// Maximum rate in bytes per second: enough for any screen, while a line that becomes slow is
+/// noticed soon.
 const FASTEST: f64 = 1e6;
-/// An answer is punctual up to so many times the quickest,
+/// Factor over the quickest answer up to which an answer is punctual.
 const PUNCTUAL: f64 = 1.1;
-/// and a frame as long as may be from this part of it on.
+/// Fraction of the maximum length from which a frame counts as full.
 const FILLED: f64 = 0.8;
 
-/// What is known of the terminal at the other end.
+/// The terminal's behaviour as known so far.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Manner {
-    /// Nothing has been asked so far, or nothing answered yet.
+    /// No query has been sent or answered yet.
     Unknown,
-    /// It answers.
+    /// The terminal answers.
     Answers,
-    /// It does not.
+    /// The terminal does not answer.
     Mute,
 }
 
-/// A frame on its way.
+/// A frame in flight.
 #[derive(Clone, Copy, Debug)]
 struct FrameInFlight {
     at: Instant,
     bytes: usize,
-    /// Whether its answer tells of the line: all of them were sent then, and no older answer is to come. What was said
-    /// before it may be drawn already.
+    /// `true` if the answer measures the line: all bytes were sent together and no older answer is
+    /// pending. Other output sent before may already be drawn.
     is_whole: bool,
 }
 
-/// Decides when the next frame may be sent, how long it may be, and whether to ask behind it.
+/// Decides when the next frame may be sent, its maximum length, and whether to send a query after
+/// it.
 #[derive(Debug)]
 pub(super) struct RateLimit {
     manner: Manner,
-    /// The frame whose answer is awaited.
+    /// The frame whose answer is pending.
     asked: Option<FrameInFlight>,
     last: Option<Instant>,
-    /// When the terminal has answered last.
+    /// The time of the last answer.
     drawn: Option<Instant>,
-    /// Bytes sent since the last question, and whether some of them are no frame.
+    /// The bytes sent since the last query, and whether they include output outside frames.
     unasked: usize,
     has_said: bool,
-    /// Answers that were lost since the last one that came.
+    /// The number of answers lost since the last one that arrived.
     lost: u32,
-    /// Until when an answer may be to a question that was given up: it tells nothing of the line.
+    /// The time until which an answer may belong to an abandoned query and so does not measure the
+    /// line.
     doubtful: Option<Instant>,
     rate: LineRate,
 }
 
-/// Bytes a second that the line takes: what was measured, and never more than the line is set to.
+/// The rate of the line in bytes per second: the measured one, but at most the configured one.
 #[derive(Clone, Copy, Debug)]
 struct LineRate {
     set: Option<f64>,
     measured: Option<f64>,
-    /// The quickest answer so far: bytes and seconds. Most of its time is the way there and back.
+    /// The quickest answer so far: bytes and seconds. Most of the time is the round trip.
     quickest: Option<(f64, f64)>,
 }
 
 impl RateLimit {
-    /// For a terminal of which nothing is known but the speed that its line may be set to, in bytes a
-    /// second.
+    /// Creates a limit for an unknown terminal. `set` is the configured speed of its line in bytes
+    /// per second, if known.
     pub(super) fn new(set: Option<f64>) -> Self {
         RateLimit {
             manner: Manner::Unknown,
@@ -128,7 +137,8 @@ impl RateLimit {
         }
     }
 
-    /// A frame of so many bytes is sent `now`; whether to ask behind it.
+    /// Records a frame of a number of bytes sent at `now`. Returns `true` if a query should follow
+    /// it.
     pub(super) fn send(&mut self, bytes: usize, now: Instant) -> bool {
         self.give_up(now);
         self.last = Some(now);
@@ -147,13 +157,13 @@ impl RateLimit {
         ask
     }
 
-    /// Bytes are sent that are no frame.
+    /// Records bytes sent outside frames.
     pub(super) fn say(&mut self, bytes: usize) {
         self.has_said = true;
         self.unasked = self.unasked.saturating_add(bytes);
     }
 
-    /// The terminal answered `now`, late perhaps.
+    /// Records an answer at `now`, which may be late.
     pub(super) fn answered(&mut self, now: Instant) {
         self.manner = Manner::Answers;
         self.drawn = Some(now);
@@ -168,12 +178,12 @@ impl RateLimit {
         }
     }
 
-    /// Bytes a second that the line takes, where that is known.
+    /// Returns the rate of the line in bytes per second, if known.
     pub(super) fn rate(&self) -> Option<f64> {
         self.rate.known()
     }
 
-    /// So many bytes the next frame may have.
+    /// Returns the maximum length of the next frame in bytes.
     pub(super) fn room(&self) -> usize {
         match (self.rate.known(), self.last) {
             (Some(rate), _) => bytes(rate),
@@ -182,7 +192,8 @@ impl RateLimit {
         }
     }
 
-    /// From when on another frame may be sent, if no answer comes before; `None` if at once.
+    /// Returns the earliest time of the next frame if no answer arrives before; `None` if it may be
+    /// sent at once.
     pub(super) fn ready_at(&self) -> Option<Instant> {
         let last = self.last?;
         match (self.manner, self.asked) {
@@ -196,8 +207,8 @@ impl RateLimit {
         }
     }
 
-    /// Since when the last frame has been seen: since its answer, or since it was sent, where none comes;
-    /// `None` if it is still on its way.
+    /// Returns the time since which the last frame is visible: of its answer, or of sending for a
+    /// terminal without answers. `None` if the frame is still in flight.
     pub(super) fn drawn_at(&self, now: Instant) -> Option<Instant> {
         match (self.manner, self.asked) {
             (Manner::Answers, Some(asked)) => {
@@ -209,7 +220,7 @@ impl RateLimit {
         }
     }
 
-    /// Until when to wait for an answer before leaving, if one may still come.
+    /// Returns the time until which to wait for an answer at exit, if one is pending.
     pub(super) fn farewell(&self, now: Instant) -> Option<Instant> {
         let patience = |asked| match self.manner {
             Manner::Answers => self.patience(asked),
@@ -218,13 +229,13 @@ impl RateLimit {
         self.asked.map(|asked| now + patience(asked).min(FAREWELL))
     }
 
-    /// A pause, or what a frame takes on a line whose speed is known.
+    /// Returns a pause, or the duration of a frame if that is longer and the line's rate is known.
     fn fixed(&self, pause: Duration) -> Duration {
         self.rate.known().map_or(pause, |_| pause.max(FRAME))
     }
 
-    /// How long the answer to a question is waited for: as the line was found, and twice as long after each
-    /// one that did not come.
+    /// Returns the maximum wait for the answer to a query, from the measured rate. It doubles with
+    /// each consecutive lost answer.
     fn patience(&self, asked: FrameInFlight) -> Duration {
         #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
         let bytes = asked.bytes as f64;
@@ -254,7 +265,7 @@ impl RateLimit {
     }
 }
 
-/// What a line of this rate takes for one frame.
+/// Returns the maximum length of a frame on a line of this rate.
 fn bytes(rate: f64) -> usize {
     let bytes = (rate * FRAME.as_secs_f64()).max(LEAST);
     #[expect(
@@ -272,27 +283,28 @@ impl LineRate {
         self.set.map(of).or(self.measured)
     }
 
-    /// What the way there and back takes, and so many bytes on the line: seconds, where that was measured.
+    /// Returns the expected time of an answer in seconds: the round trip plus the time for the
+    /// bytes. `None` if unmeasured.
     fn expected(&self, bytes: f64) -> Option<f64> {
         let (_, way) = self.quickest?;
         Some(way + bytes / self.known()?)
     }
 
-    /// An answer to so many bytes came after so many seconds.
+    /// Updates the rate from an answer to `bytes` bytes after `seconds` seconds.
     ///
-    /// The time is the way there and back, which does not limit how much may be sent, and what the
-    /// line took for the bytes, which does. Two frames of different length tell the one from the
-    /// other; until then all of it is put down to the line, which errs on the safe side.
+    /// The time consists of the round trip, which does not limit the rate, and of the transmission,
+    /// which does. Two frames of different lengths separate the two. Until then, all of the time
+    /// counts as transmission, which errs on the safe side.
     fn learn(&mut self, bytes: f64, seconds: f64) {
         let seconds = seconds.max(QUICK);
-        // The line takes at least this.
+        // A lower bound of the line's rate.
         let least = bytes / seconds;
         let (Some((fewest, quickest)), Some(rate)) = (self.quickest, self.measured) else {
             self.quickest = Some((bytes, seconds));
             self.measured = Some(least.min(FASTEST));
             return;
         };
-        // As long a frame as may be, and no later than any other: it may as well be longer.
+        // A frame of maximum length that is no later than any other: the next may be longer.
         let filled = bytes >= FILLED * rate * FRAME.as_secs_f64();
         let rate = if filled && seconds <= PUNCTUAL * quickest {
             2.0 * rate
@@ -312,7 +324,7 @@ impl LineRate {
         } else {
             rate
         };
-        // One late answer may have another reason; one early answer is no proof either.
+        // A single late answer may have another cause, and a single early answer proves nothing.
         let told = told.clamp(rate / 2.0, rate * 4.0);
         self.measured = Some(told.max(least).min(FASTEST));
     }
@@ -324,7 +336,7 @@ mod tests {
 
     const MOMENT: Duration = Duration::from_millis(1);
 
-    /// A line that takes so many bytes a second, with its way there and back.
+    /// A line with a rate in bytes per second and a round-trip time in seconds.
     struct Line {
         rate: f64,
         way: f64,
@@ -335,8 +347,8 @@ mod tests {
             self.way + bytes as f64 / self.rate
         }
 
-        /// Sends what there is room for, up to `most` bytes, so many times, each after its answer;
-        /// the longest that one took on the line, and the room that there is at last.
+        /// Sends `count` frames of the permitted length, up to `most` bytes, each after the
+        /// previous answer. Returns the longest transmission time and the final length limit.
         fn frames(&self, rate_limit: &mut RateLimit, count: usize, most: usize) -> (f64, usize) {
             let mut now = Instant::now();
             let mut longest: f64 = 0.0;

@@ -1,4 +1,4 @@
-//! Colours and attributes, and the bytes that change them: SGR in its shortest form.
+//! Encodes colours and attributes as the shortest SGR sequences.
 
 use crate::tui::appearance::palette::Palette;
 use ratatui::buffer::Cell;
@@ -14,10 +14,10 @@ const ATTRIBUTES: [(Modifier, u8); 4] = [
     (Modifier::REVERSED, 7),
 ];
 
-/// What shows on a blank, too.
+/// Attributes visible on a blank.
 const OF_BLANKS: Modifier = Modifier::UNDERLINED.union(Modifier::REVERSED);
 
-/// Colours and attributes in force.
+/// The colours and attributes in force.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Sgr {
     fg: Color,
@@ -25,16 +25,17 @@ pub(super) struct Sgr {
     modifier: Modifier,
 }
 
-/// How a terminal shows cells.
+/// The terminal's display of cells.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellStyle {
     pub(super) palette: Palette,
-    /// The Linux console shows faint text in a grey that is hard to read; a VT100 has none.
+    /// The Linux console shows faint text in a hardly legible grey; a VT100 has no faint text.
     pub(super) has_faint: bool,
 }
 
 impl CellStyle {
-    /// A cell's colours and attributes, as far as the terminal has them and they can be seen.
+    /// Returns a cell's colours and attributes, without those that the terminal lacks or that are
+    /// invisible.
     pub(super) fn sgr_of(&self, cell: &Cell) -> Sgr {
         let mut sgr = Sgr {
             fg: cell.fg,
@@ -61,20 +62,20 @@ impl CellStyle {
         }
     }
 
-    /// Whether two cells look alike.
+    /// Returns `true` if two cells look alike.
     pub(super) fn same(&self, a: &Cell, b: &Cell) -> bool {
         same_symbol(a, b) && (same_style(a, b) || self.sgr_of(a) == self.sgr_of(b))
     }
 
-    /// Whether a cell is nothing but ground.
+    /// Returns `true` if a cell is an empty cell of the plain background.
     pub(super) fn is_blank(&self, cell: &Cell) -> bool {
         let is_plain = cell.bg == Color::Reset && cell.modifier.is_empty();
         cell.symbol().as_bytes() == b" " && (is_plain || self.sgr_of(cell) == Sgr::PLAIN)
     }
 }
 
-/// Whether two cells are the same, whatever the terminal shows of it: most are, and this is asked of
-/// every cell of every frame.
+/// Returns `true` if two cells are equal, independent of the terminal. Most are, and every cell of
+/// every frame is checked.
 pub(super) fn identical(a: &Cell, b: &Cell) -> bool {
     same_style(a, b) && same_symbol(a, b)
 }
@@ -85,7 +86,7 @@ fn same_style(a: &Cell, b: &Cell) -> bool {
 
 fn same_symbol(a: &Cell, b: &Cell) -> bool {
     match (a.symbol().as_bytes(), b.symbol().as_bytes()) {
-        // Without a call.
+        // A fast path without a call.
         ([a], [b]) => a == b,
         (a, b) => a == b,
     }
@@ -98,12 +99,12 @@ impl Sgr {
         modifier: Modifier::empty(),
     };
 
-    /// Whether a blank drawn so is plain ground.
+    /// Returns `true` if a blank in this style looks like plain background.
     pub(super) fn leaves_blanks(self) -> bool {
         self.bg == Color::Reset && !self.modifier.intersects(OF_BLANKS)
     }
 
-    /// Puts this in force where `has` was.
+    /// Appends the sequence that changes the style from `has` to this one.
     pub(super) fn put_in_force(self, has: Sgr, bytes: &mut Vec<u8>) {
         if self == has {
             return;
@@ -112,7 +113,7 @@ impl Sgr {
             bytes.extend_from_slice(PLAIN);
             return;
         }
-        // An attribute is taken away by starting over: VT100s do not know how to end a single one.
+        // Attributes are removed by a reset: VT100s cannot end a single one.
         let over = !self.modifier.contains(has.modifier);
         let has = if over { Sgr::PLAIN } else { has };
         bytes.extend_from_slice(b"\x1b[");
@@ -130,13 +131,14 @@ impl Sgr {
         if self.bg != has.bg {
             colour(self.bg, 10, bytes);
         }
-        // The last separator becomes the end.
+        // The last separator becomes the final byte.
         bytes.pop();
         bytes.push(b'm');
     }
 }
 
-/// A colour with a separator behind it; `layer` is 0 for the foreground, 10 for the background.
+/// Appends a colour with a separator after it; `layer` is 0 for the foreground, 10 for the
+/// background.
 fn colour(colour: Color, layer: u8, bytes: &mut Vec<u8>) {
     let name = match colour {
         Color::Reset => 39,
@@ -164,7 +166,7 @@ fn colour(colour: Color, layer: u8, bytes: &mut Vec<u8>) {
     escape(bytes, format_args!("{};", name + layer));
 }
 
-/// Appends what is formatted.
+/// Appends formatted text.
 pub(super) fn escape(bytes: &mut Vec<u8>, text: std::fmt::Arguments<'_>) {
     // Writing into memory cannot fail.
     let _ = bytes.write_fmt(text);

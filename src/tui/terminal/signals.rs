@@ -1,4 +1,4 @@
-//! Signals, as something to wait for beside the keyboard.
+//! Delivers signals through a file descriptor, for waiting together with the keyboard.
 
 use rustix::process::{Signal, getpgrp, getsid, kill_current_process_group};
 use signal_hook::consts::{SIGCONT, SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGTSTP, SIGWINCH};
@@ -9,46 +9,46 @@ use std::io;
 use std::os::fd::{AsFd, BorrowedFd};
 use std::os::unix::net::UnixStream;
 
-/// Every signal that would end or stop the program with the terminal left raw, and the two that
-/// call for a new frame.
+/// All signals that would end or stop the program with the terminal in raw mode, and the two that
+/// require a new frame.
 const CAUGHT: [i32; 7] = [SIGWINCH, SIGTERM, SIGHUP, SIGINT, SIGQUIT, SIGCONT, SIGTSTP];
 
-/// The signal of a terminal that has gone.
+/// The signal of a closed terminal.
 pub(crate) const HANG_UP: i32 = SIGHUP;
 
-/// What a signal asks for.
+/// The meaning of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Notice {
     /// The window has another size.
     Resized,
-    /// The program goes on after having been stopped.
+    /// The program continues after a suspension.
     Continued,
-    /// The program ought to stop.
+    /// The program should suspend itself.
     Suspend,
-    /// The program ought to end, by this signal.
+    /// The program should end by this signal.
     End(i32),
 }
 
-/// The signals that have come.
+/// The caught signals.
 #[derive(Debug)]
 pub(crate) struct Signals(SignalDelivery<UnixStream, SignalOnly>);
 
 impl Signals {
-    /// Begins to catch signals; a SIGHUP that the parent ignores (`nohup`) is caught too, because a
-    /// program on a dead terminal has nothing left to do.
+    /// Starts catching signals. Catches SIGHUP even if the parent ignores it (`nohup`), because a
+    /// program without a terminal has nothing left to do.
     pub(crate) fn new() -> io::Result<Self> {
         let (read, write) = UnixStream::pair()?;
         SignalDelivery::with_pipe(read, write, SignalOnly, CAUGHT).map(Signals)
     }
 
-    /// What has come since the last call.
+    /// Returns the notices since the last call.
     pub(crate) fn pending(&mut self) -> Vec<Notice> {
         self.0.pending().filter_map(notice).collect()
     }
 }
 
 impl AsFd for Signals {
-    /// Readable when a signal has come.
+    /// Returns a descriptor that is readable when a signal has arrived.
     fn as_fd(&self) -> BorrowedFd<'_> {
         self.0.get_read().as_fd()
     }
@@ -64,16 +64,17 @@ fn notice(signal: i32) -> Option<Notice> {
     }
 }
 
-/// Whether somebody is there to continue the program once it has stopped.
+/// Returns `true` if a shell can continue the program after a suspension.
 ///
-/// Under `ssh -t host krank` there is no shell with job control: stopped there, it would stay so for
-/// ever, and the line with it. Then the session's leader is in our own process group.
+/// Under `ssh -t host krank` there is no shell with job control: a suspended program would stay
+/// suspended forever, together with the line. In this case the session leader is in the program's
+/// own process group.
 pub(super) fn can_suspend() -> bool {
     getsid(None).is_ok_and(|leader| leader != getpgrp())
 }
 
-/// What Ctrl-Z means: the whole process group is to stop, a script around the program included. The
-/// signal comes back as [`Notice::Suspend`].
+/// Suspends the whole process group on Ctrl-Z, including a script around the program. The signal
+/// comes back as [`Notice::Suspend`].
 pub(crate) fn ask_to_suspend() -> io::Result<()> {
     if can_suspend() {
         kill_current_process_group(Signal::TSTP)?;
@@ -86,7 +87,7 @@ pub(super) fn stop() -> io::Result<()> {
     emulate_default_handler(SIGTSTP)
 }
 
-/// Ends the program as `signal` would have, so that whoever waits for it learns why.
+/// Ends the program by `signal`, so that the parent process sees the cause.
 pub(crate) fn die_of(signal: i32) -> io::Result<()> {
     emulate_default_handler(signal)
 }

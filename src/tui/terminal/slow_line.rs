@@ -1,4 +1,4 @@
-//! A simulated terminal on a slow line, with a simulated clock: only what is waited for takes time.
+//! Simulates a terminal on a slow line, with a simulated clock: only waiting takes time.
 
 use super::console::Console;
 use super::rate_limit::{QUESTION, RateLimit};
@@ -11,24 +11,24 @@ use std::os::fd::BorrowedFd;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// The terminal at the other end of a line that takes so many bytes a second. It answers as soon as it has a question.
+/// A terminal on a line with a limited rate. It answers a query as soon as it arrives.
 pub(crate) struct SlowLine {
     size: Size,
     byte: Duration,
     now: Instant,
-    /// When the line has taken all that was sent.
+    /// The time when the line has transmitted all bytes.
     free: Instant,
-    /// Bytes on their way, and when each arrives.
+    /// The bytes in flight, with their arrival times.
     queue: VecDeque<(Instant, u8)>,
-    /// Bytes that have arrived, and when.
+    /// The arrived bytes, with their times.
     arrived: Vec<(Instant, u8)>,
-    /// Keys to come, in order.
+    /// The future keys, in order.
     keys: VecDeque<(Instant, &'static str)>,
-    /// The longest that the queue ever was.
+    /// The maximum length of the queue so far.
     pub(crate) longest: usize,
-    /// Whether nothing is left to wait for.
+    /// `true` if there is nothing left to wait for.
     pub(crate) idle: bool,
-    /// Whether questions are answered no more.
+    /// `true` if queries are no longer answered.
     pub(crate) silent: bool,
     rate_limit: RateLimit,
 }
@@ -51,13 +51,13 @@ impl SlowLine {
         }
     }
 
-    /// Presses a key after a while.
+    /// Schedules a key after a pause.
     pub(crate) fn press_after(&mut self, key: &'static str, pause: Duration) {
         self.keys.push_back((self.now + pause, key));
         self.idle = false;
     }
 
-    /// The bytes that have arrived so far, and when.
+    /// Returns the arrived bytes, with their times.
     pub(crate) fn arrived(&self) -> &[(Instant, u8)] {
         &self.arrived
     }
@@ -71,7 +71,7 @@ impl SlowLine {
         self.longest = self.longest.max(self.queue.len());
     }
 
-    /// When the next question has arrived whole.
+    /// Returns the time when the next query has completely arrived.
     fn next_answer(&self) -> Option<Instant> {
         let (front, back) = self.queue.as_slices();
         let bytes: Vec<u8> = front.iter().chain(back).map(|(_, byte)| *byte).collect();
@@ -80,7 +80,7 @@ impl SlowLine {
         Some(self.queue[at + QUESTION.len() - 1].0)
     }
 
-    /// Lets time pass; all that has happened by then.
+    /// Advances the clock and returns the events up to that time.
     fn advance(&mut self, to: Instant) -> Vec<Wake> {
         let mut wakes = Vec::new();
         self.now = self.now.max(to);

@@ -1,23 +1,24 @@
-//! The sequences by which terminals are sent a still picture, and by which it goes again.
+//! Encodes images for terminals, and the sequences that remove them.
 
 use super::base64::base64;
 use crate::capability::PictureProtocol;
 use crate::pixels::{PaintError, Pixels};
 use ratatui::layout::Rect;
 
-/// Bytes for the terminal, and those that take away what it shows then; none where clearing does.
+/// The bytes that show an image, and those that remove it; the latter are empty if clearing
+/// suffices.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct StillSequence {
     pub(crate) bytes: Vec<u8>,
     pub(crate) removal: &'static [u8],
 }
 
-/// A kitty takes so much at a time.
+/// Maximum chunk length in kitty's protocol.
 const CHUNK: usize = 4096;
-/// Takes away the one picture that we send, and frees it.
+/// Removes and frees the only image, which has id 1.
 const KITTY_REMOVAL: &[u8] = b"\x1b_Ga=d,d=I,i=1,q=2\x1b\\";
 
-/// The picture over these cells.
+/// Encodes an image that covers these cells.
 pub(crate) fn sequence(
     protocol: PictureProtocol,
     pixels: &Pixels,
@@ -35,17 +36,17 @@ pub(crate) fn sequence(
     })
 }
 
-/// What takes a picture away beside clearing.
+/// Returns the bytes that remove an image if clearing does not.
 pub(crate) fn removal(protocol: PictureProtocol) -> &'static [u8] {
     match protocol {
         PictureProtocol::Kitty => KITTY_REMOVAL,
-        // They have taken the place of characters, and characters take theirs.
+        // These images replace characters, and characters replace them.
         PictureProtocol::Iterm | PictureProtocol::Sixel => &[],
     }
 }
 
-/// Shown at once (`a=T`) as PNG (`f=100`), with no answer (`q=2`) that would be taken for keys, and the cursor left
-/// where it is (`C=1`).
+/// Encodes a PNG image (`f=100`) for immediate display (`a=T`), without moving the cursor (`C=1`).
+/// The terminal's answer is suppressed (`q=2`), because it would be taken for keys.
 fn kitty(png: &[u8], area: Rect) -> Vec<u8> {
     let text = base64(png);
     let chunks: Vec<&[u8]> = text.as_bytes().chunks(CHUNK).collect();

@@ -1,4 +1,4 @@
-//! The one way in and out: takes the terminal over, waits on it, and puts it back as it was found.
+//! Takes over the terminal, waits for its events, and restores its original state.
 
 use super::intake::{Arrival, FAREWELL, Intake, IntakeEnds, Parting, SharedIntake, is_gone};
 use super::keyboard::TerminalInput;
@@ -28,72 +28,75 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// Text that is pasted comes marked as such.
+/// Switches bracketed paste, which marks pasted text.
 const PASTE_ON: &[u8] = b"\x1b[?2004h";
 const PASTE_OFF: &[u8] = b"\x1b[?2004l";
-/// The mouse tells of its buttons, and of its way while one is held down (1002), in numbers of any size (1006).
+/// Switches mouse reports of buttons and of motion while a button is pressed (1002), with
+/// coordinates of any size (1006).
 const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1002l";
-/// Ends a frame that was cut short: CAN aborts half a sequence, and the frame is shown as it is.
+/// Ends a frame that was cut short: CAN aborts an incomplete sequence, and the frame is shown as it
+/// is.
 const CUT: &[u8] = b"\x18";
 
-/// What a terminal is taken for that reports no size: a serial console, mostly.
+/// Assumed size of a terminal that reports none, usually a serial console.
 const USUAL_SIZE: Size = Size::new(80, 24);
-/// No screen is larger; a nonsensical size must not eat the memory.
+/// Maximum size of a screen, which limits the memory if a terminal reports nonsense.
 const LARGEST_SIZE: Size = Size::new(1000, 400);
 
-/// Why the wait is over.
+/// The event that ended a wait.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Wake {
-    /// A key was pressed.
+    /// A pressed key.
     Key(Key),
-    /// Text was pasted.
+    /// Pasted text.
     Paste(String),
-    /// Something was done with the mouse.
+    /// A mouse event.
     Mouse(Mouse),
-    /// A signal came.
+    /// A signal.
     Notice(Notice),
-    /// The line has taken the last frame.
+    /// The line has transmitted the last frame.
     Room,
-    /// Something has happened to the file that is watched.
+    /// The watched file has changed.
     Written,
-    /// The bell rings.
+    /// A background job has finished.
     Done,
-    /// The terminal is gone; nothing may be written any more.
+    /// The terminal is gone; further writes are forbidden.
     HungUp,
 }
 
-/// The terminal, taken over. Dropping it puts the terminal back.
+/// The terminal while krank controls it. Dropping it restores the terminal.
 #[derive(Debug)]
 pub(crate) struct Tty {
     ends: IntakeEnds,
     intake: Arc<SharedIntake>,
     screen: OwnedFd,
-    /// The modes as they were found, and as they are set while it is held.
+    /// The terminal's original modes.
     found: Termios,
     modern: bool,
-    /// Whether the mouse is ours.
+    /// `true` if mouse reports are on.
     mouse: bool,
-    /// What takes away a picture that may be there.
+    /// The bytes that remove an image that may be shown.
     removal: &'static [u8],
     entered: bool,
     hung_up: bool,
-    /// Whether the last frame was not written to its end.
+    /// `true` if the last frame was not completely written.
     cut: bool,
     watch: Watch,
     rate_limit: RateLimit,
-    /// What has come and was not asked for yet.
+    /// Events not yet fetched.
     wakes: Vec<Wake>,
 }
 
 impl Tty {
-    /// Takes the terminal over.
+    /// Takes over the terminal.
     ///
-    /// Keys come from standard input, or from /dev/tty if that is no terminal: the scene may come
-    /// through standard input.
+    /// Keys are read from standard input, or from /dev/tty if that is no terminal, because the
+    /// scene may come through standard input.
     ///
     /// # Errors
-    /// No terminal to draw on or to read keys from, or what the system says.
+    /// Returns an error if no terminal is available for drawing or for keys, or if a system call
+    /// fails.
     pub(crate) fn open(capability: Capability) -> Result<Self, Error> {
         let screen = terminal_of(io::stdout().as_fd()).ok_or(Error::NoScreen)?;
         let keys = terminal_of(io::stdin().as_fd()).or_else(controlling_terminal);
@@ -118,7 +121,7 @@ impl Tty {
         Ok(tty)
     }
 
-    /// Raw mode and alternate screen. What the screen shows afterwards is not known.
+    /// Enters raw mode and the alternate screen. The screen's contents are unknown afterwards.
     pub(crate) fn enter(&mut self) -> io::Result<()> {
         self.entered = true;
         self.rate_limit = RateLimit::new(Wire::of(&self.screen).and_then(Wire::rate));
@@ -126,7 +129,7 @@ impl Tty {
         raw.make_raw();
         self.prepare_parting();
         tcsetattr(&self.ends.keys, OptionalActions::Now, &raw)?;
-        // The painter clears.
+        // The painter clears the screen.
         let mut bytes = Vec::new();
         queue(&mut bytes, EnterAlternateScreen);
         queue(&mut bytes, Hide);
@@ -139,7 +142,8 @@ impl Tty {
         self.write_all(&bytes)
     }
 
-    /// Puts the terminal back as it was found. Does what it can: there is nobody to tell.
+    /// Restores the terminal's original state as far as possible. Errors are ignored, because they
+    /// could not be shown.
     pub(crate) fn leave(&mut self) {
         if !std::mem::take(&mut self.entered) || self.hung_up {
             return;
@@ -151,7 +155,7 @@ impl Tty {
         self.prepare_parting();
     }
 
-    /// What puts the screen back as it was found.
+    /// Returns the bytes that restore the screen.
     fn parting(&self) -> Vec<u8> {
         let mut bytes = Vec::new();
         if self.cut {
@@ -167,7 +171,7 @@ impl Tty {
             bytes.extend_from_slice(PASTE_OFF);
         }
         bytes.extend_from_slice(self.removal);
-        // The screen is cleared for terminals that have no alternate one.
+        // The screen is cleared for terminals without an alternate one.
         queue(&mut bytes, ResetColor);
         queue(&mut bytes, Clear(ClearType::All));
         queue(&mut bytes, MoveTo(0, 0));
@@ -176,7 +180,7 @@ impl Tty {
         bytes
     }
 
-    /// Lets the terminal be put back while the main thread computes.
+    /// Enables the second thread to restore the terminal while the main thread computes.
     fn prepare_parting(&self) {
         let screen = self.screen.try_clone().ok().filter(|_| self.entered);
         self.intake.lock().parting = screen.map(|screen| Parting {
@@ -186,8 +190,8 @@ impl Tty {
         });
     }
 
-    /// Stops the program until it is continued; does nothing where nobody could continue it.
-    /// What the screen shows afterwards is not known.
+    /// Suspends the program until it is continued. Does nothing if no shell could continue it. The
+    /// screen's contents are unknown afterwards.
     pub(crate) fn suspend(&mut self) -> io::Result<()> {
         if !signals::can_suspend() {
             return Ok(());
@@ -209,7 +213,7 @@ impl Tty {
         self.enter()
     }
 
-    /// The size of the screen in cells, never empty.
+    /// Returns the size of the screen in cells, which is never empty.
     #[must_use]
     pub(crate) fn size(&self) -> Size {
         let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
@@ -219,48 +223,50 @@ impl Tty {
         }
     }
 
-    /// The height of a cell for its width, if the terminal's size in pixels tells it.
+    /// Returns the height of a cell divided by its width, if the terminal reports a plausible size
+    /// in pixels.
     #[must_use]
     pub(crate) fn aspect(&self) -> Option<f64> {
         let w = tcgetwinsize(&self.screen).ok()?;
         let cell = |pixels: u16, cells: u16| f64::from(pixels) / f64::from(cells);
         let aspect = cell(w.ws_ypixel, w.ws_row) / cell(w.ws_xpixel, w.ws_col);
-        // Some terminals report pixels that cannot be; a cell is between square and very slim.
+        // Some terminals report impossible pixels; a cell is between square and very slim.
         (1.0..=4.0).contains(&aspect).then_some(aspect)
     }
 
-    /// Width and height of a cell in pixels, if the terminal tells.
+    /// Returns the width and height of a cell in pixels, if the terminal reports them.
     #[must_use]
     pub(crate) fn cell(&self) -> Option<(u16, u16)> {
         let w = tcgetwinsize(&self.screen).ok()?;
         let cell = |pixels: u16, cells: u16| pixels.checked_div(cells).filter(|&n| n > 0);
-        // Where the shape of a cell cannot be, its size is none either.
+        // If the shape of a cell is implausible, so is its size.
         self.aspect()?;
         cell(w.ws_xpixel, w.ws_col).zip(cell(w.ws_ypixel, w.ws_row))
     }
 
-    /// Tells from now on what happens to this file, and to no other; whether that begins now.
+    /// Watches this file and no other. Returns `true` if a new watch was started.
     pub(crate) fn follow(&mut self, file: Option<&Path>) -> bool {
         self.watch.follow(file)
     }
 
-    /// Since when a person has seen the last frame, if it is not still on its way.
+    /// Returns the time since which the last frame is visible; `None` if it is still in flight.
     pub(crate) fn drawn_at(&self) -> Option<Instant> {
         self.rate_limit.drawn_at(Instant::now())
     }
 
-    /// From when on a frame may be sent, if [`Wake::Room`] does not come before; `None` if at once.
+    /// Returns the earliest time of the next frame if [`Wake::Room`] does not arrive before; `None`
+    /// if it may be sent at once.
     pub(crate) fn ready_at(&self) -> Option<Instant> {
         self.rate_limit.ready_at()
     }
 
-    /// So many bytes the next frame may have.
+    /// Returns the maximum length of the next frame in bytes.
     pub(crate) fn room(&self) -> usize {
         self.rate_limit.room()
     }
 
-    /// Writes a frame; one without a byte is none. On a line that hangs, what ends the program ends
-    /// the writing too; it is reported by the next [`Tty::wait`].
+    /// Writes a frame; an empty one is ignored. On a stalled line, an event that ends the program
+    /// also ends the write. The next [`Tty::wait`] reports it.
     pub(crate) fn send(&mut self, frame: &[u8]) -> io::Result<()> {
         if frame.is_empty() {
             return Ok(());
@@ -270,7 +276,7 @@ impl Tty {
         self.write_all(&[frame, question].concat())
     }
 
-    /// Takes the mouse, or leaves it to the terminal, as it is on every way out.
+    /// Switches mouse reports on or off. They are switched off whenever the terminal is restored.
     pub(crate) fn take_mouse(&mut self, wanted: bool) -> io::Result<()> {
         if self.mouse == wanted {
             return Ok(());
@@ -280,21 +286,21 @@ impl Tty {
         self.say(if wanted { MOUSE_ON } else { MOUSE_OFF })
     }
 
-    /// Writes what is no part of a frame and is never dropped for one: whole, once, behind what was
-    /// sent before. The screen must not change by it.
+    /// Writes bytes that belong to no frame and are never dropped: completely, once, and after
+    /// everything sent before. They must not change the screen.
     pub(crate) fn say(&mut self, bytes: &[u8]) -> io::Result<()> {
         self.rate_limit.say(bytes.len());
         self.write_all(bytes)
     }
 
-    /// The same for a still picture. What takes it away is sent on every way out.
+    /// Writes an image. The bytes that remove it are sent whenever the terminal is restored.
     pub(crate) fn say_still(&mut self, still: &StillSequence) -> io::Result<()> {
         self.removal = still.removal;
         self.prepare_parting();
         self.say(&still.bytes)
     }
 
-    /// Bytes a second, where that is known.
+    /// Returns the rate of the line in bytes per second, if known.
     pub(crate) fn rate(&self) -> Option<f64> {
         self.rate_limit.rate()
     }
@@ -309,8 +315,8 @@ impl Tty {
         Ok(())
     }
 
-    /// Waits for an answer that is still to come: the shell would take it for typed text. Keys typed
-    /// meanwhile were meant for us and are dropped with it.
+    /// Waits for a pending answer, which the shell would take for typed text. Keys typed meanwhile
+    /// were meant for krank and are dropped with it.
     fn await_answer(&mut self) {
         let Some(until) = self.rate_limit.farewell(Instant::now()) else {
             return;
@@ -319,7 +325,7 @@ impl Tty {
             if self.poll(Some(until), PollFlags::empty(), None).is_err() {
                 return;
             }
-            // Another signal changes nothing, nor does the scene's file: we are leaving.
+            // Other signals and the scene's file no longer matter at exit.
             let mut intake = self.intake.lock();
             let read = intake.collect();
             let is_answer = |arrival| matches!(arrival, Arrival::Input(TerminalInput::Answer, _));
@@ -332,9 +338,9 @@ impl Tty {
         }
     }
 
-    /// Writes, and says whether everything was written.
+    /// Writes bytes until the deadline. Returns `true` if all were written.
     fn write_until(&mut self, mut bytes: &[u8], deadline: Option<Instant>) -> io::Result<bool> {
-        // Not while the terminal is being put back.
+        // Waits while the second thread restores the terminal.
         drop(self.intake.lock());
         while !bytes.is_empty() && !self.hung_up {
             match write(&self.screen, bytes) {
@@ -352,7 +358,7 @@ impl Tty {
         Ok(bytes.is_empty())
     }
 
-    /// Waits until the line takes more; false if the rest is not worth waiting for.
+    /// Waits until the line takes more bytes. Returns `false` if the rest should be dropped.
     fn wait_for_room(&mut self, deadline: Option<Instant>) -> io::Result<bool> {
         let told = self.poll(deadline, PollFlags::OUT, None)?;
         if deadline.is_some_and(|deadline| deadline <= Instant::now()) {
@@ -363,8 +369,8 @@ impl Tty {
         Ok(leaving || !self.wakes.iter().any(ends))
     }
 
-    /// Waits for something to happen until `deadline`, or for ever. Everything that is there is taken
-    /// at once, so that many keys cost one frame; keys are looked for even where time is up.
+    /// Waits for an event until `deadline`, or without limit. Takes all pending events at once, so
+    /// that many keys cost one frame. Pending keys are read even after the deadline.
     pub(crate) fn wait(
         &mut self,
         deadline: Option<Instant>,
@@ -389,7 +395,7 @@ impl Tty {
         }
     }
 
-    /// Takes in what signals and keys have come.
+    /// Reads pending signals and keys.
     fn collect(&mut self, told: Told) -> io::Result<()> {
         self.hung_up |= is_gone(told.screen);
         if self.watch.told() {
@@ -415,7 +421,7 @@ impl Tty {
         Ok(())
     }
 
-    /// Waits for keys, signals, a bell, and what is asked of the screen.
+    /// Waits for keys, signals, the bell, and the given events of the screen.
     fn poll(
         &self,
         until: Option<Instant>,
@@ -443,7 +449,7 @@ impl Tty {
         let keys = PollFd::new(&self.ends.keys, PollFlags::IN);
         let signals = PollFd::new(&self.ends.signals, PollFlags::IN);
         let screen = PollFd::new(&self.screen, screen);
-        // Where nothing is watched, the place is taken by what is waited on anyway.
+        // An unused slot is filled with a descriptor that is polled anyway.
         let or_signals = |fd: Option<_>| match fd {
             Some(fd) => PollFd::from_borrowed_fd(fd, PollFlags::IN),
             None => signals.clone(),
@@ -471,7 +477,7 @@ impl Drop for Tty {
     }
 }
 
-/// What poll says of the screen and of the bell.
+/// The results of `poll` for the screen and the bell.
 #[derive(Clone, Copy, Debug)]
 struct Told {
     screen: PollFlags,
@@ -487,7 +493,7 @@ impl Default for Told {
     }
 }
 
-/// What ends the program even where a line hangs.
+/// Returns `true` for events that end the program even on a stalled line.
 fn ends(wake: &Wake) -> bool {
     matches!(
         wake,
@@ -495,10 +501,12 @@ fn ends(wake: &Wake) -> bool {
     )
 }
 
-/// A descriptor of our own for the terminal behind `fd`, which never blocks; `None` if it is none.
+/// Returns a private non-blocking descriptor for the terminal behind `fd`; `None` if `fd` is no
+/// terminal.
 ///
-/// Opened anew, since O_NONBLOCK on the given one would reach every program that shares it. Where
-/// that is not allowed (after `su`), the given one is used, and a stalled line can block.
+/// The terminal is opened again, because O_NONBLOCK on the given descriptor would affect every
+/// program that shares it. If this is not permitted (after `su`), the given descriptor is used, and
+/// a stalled line can block.
 fn terminal_of(fd: BorrowedFd<'_>) -> Option<OwnedFd> {
     if !isatty(fd) {
         return None;
@@ -518,7 +526,7 @@ fn terminal_flags() -> OFlags {
 }
 
 fn timespec(duration: Duration) -> Timespec {
-    // No wait is longer than i64 seconds.
+    // No wait exceeds `i64::MAX` seconds.
     Timespec::try_from(duration).unwrap_or(Timespec {
         tv_sec: i64::MAX,
         tv_nsec: 0,

@@ -1,8 +1,9 @@
-//! Watching the scene's file without a timer: the kernel tells when it was written, replaced or taken away.
+//! Watches the scene's file without a timer: the kernel reports when it is written, replaced or
+//! deleted.
 //!
-//! The folder is watched rather than the file, since most editors put a new file in the place of the old
-//! one. Where that cannot be had, on a network home for instance, nothing is told here; time stamp and
-//! size are looked at besides whenever something else happens.
+//! The folder is watched instead of the file, because most editors replace the old file by a new
+//! one. Where inotify is unavailable, for example on a network home, this module reports nothing.
+//! In addition, time stamp and size are checked at every other event.
 
 use rustix::fd::{AsFd, BorrowedFd, OwnedFd};
 use rustix::fs::inotify::{CreateFlags, Reader, WatchFlags, add_watch, init, remove_watch};
@@ -11,10 +12,10 @@ use std::mem::MaybeUninit;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 
-/// Room for some events with their names.
+/// Size of a buffer for several events with their names.
 const ROOM: usize = 4096;
 
-/// What is told about a folder.
+/// Returns the events of a folder to watch for.
 fn flags() -> WatchFlags {
     WatchFlags::CLOSE_WRITE
         | WatchFlags::MOVED_TO
@@ -26,10 +27,10 @@ fn flags() -> WatchFlags {
 /// A watch on at most one file.
 #[derive(Debug)]
 pub(super) struct Watch {
-    /// `None` where the system has no such thing, or no more of it.
+    /// `None` if the system has no inotify, or no more instances of it.
     inotify: Option<OwnedFd>,
     file: Option<PathBuf>,
-    /// The watch on its folder, and its name there.
+    /// The watch on the file's folder, and the file's name in it.
     watched: Option<(i32, OsString)>,
 }
 
@@ -42,8 +43,8 @@ impl Watch {
         }
     }
 
-    /// Watches this file from now on, and no other; whether that begins now. It is behind all links: only
-    /// there it is written.
+    /// Watches this file and no other. Returns `true` if a new watch was started. The path must
+    /// have all links resolved, because only there the file is written.
     pub(super) fn follow(&mut self, file: Option<&Path>) -> bool {
         if self.file.as_deref() == file {
             return false;
@@ -63,12 +64,12 @@ impl Watch {
         self.watched.is_some()
     }
 
-    /// What to wait on.
+    /// Returns the descriptor to wait on.
     pub(super) fn descriptor(&self) -> Option<BorrowedFd<'_>> {
         self.inotify.as_ref().map(OwnedFd::as_fd)
     }
 
-    /// Takes in what was told: whether something happened to the file.
+    /// Reads the pending events. Returns `true` if any of them concerns the file.
     pub(super) fn told(&mut self) -> bool {
         let Some(inotify) = &self.inotify else {
             return false;
@@ -76,7 +77,7 @@ impl Watch {
         let mut room = [MaybeUninit::uninit(); ROOM];
         let mut events = Reader::new(inotify, &mut room);
         let mut told = false;
-        // An error means that there is no more for now.
+        // An error means that no more events are pending.
         while let Ok(event) = events.next() {
             let name = event.file_name().map(|name| name.to_bytes());
             let own = self.watched.as_ref().map(|(_, name)| name.as_bytes());

@@ -1,6 +1,7 @@
-// The macro that makes catalogues of sentences; the room tells what it is for.
+// The macro for catalogues of messages. The parent module explains their purpose.
 
-/// Makes a part of the catalogue: a trait with a function for each sentence, and what a language says.
+/// Defines a part of the catalogue: a trait with a function for each message, and one language's
+/// implementation.
 ///
 /// ```text
 /// catalogue! {
@@ -13,7 +14,8 @@
 /// }
 /// ```
 ///
-/// A second language says the same sentences in `catalogue! { impl Motion for Turkish { .. } }`:
+/// A second language implements the same messages in
+/// `catalogue! { impl Motion for Turkish { .. } }`:
 ///
 /// ```
 /// include!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wording/catalogue.rs"));
@@ -38,7 +40,7 @@
 /// }
 /// ```
 ///
-/// While one of them is missing, nothing builds:
+/// A missing message is a compile error:
 ///
 /// ```compile_fail
 /// include!(concat!(env!("CARGO_MANIFEST_DIR"), "/src/wording/catalogue.rs"));

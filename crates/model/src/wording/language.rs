@@ -1,27 +1,27 @@
-//! Which language is spoken: English, until the program is told otherwise.
+//! The current language: English by default.
 
 use super::Words;
 use super::english::English;
 use super::turkish::Turkish;
 
-/// A language in which krank speaks to people.
+/// A language of krank's messages.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Language {
-    /// That in which krank was written.
+    /// The default language.
     #[default]
     English,
-    /// That of the lectures.
+    /// The language of the lectures.
     Turkish,
 }
 
-/// The variables that name the language of messages, in the order in which POSIX has them override each other.
+/// The environment variables for the language of messages, in POSIX order of precedence.
 const LOCALE: [&str; 3] = ["LC_ALL", "LC_MESSAGES", "LANG"];
 
 impl Language {
-    /// All of them, in the order in which the workbench goes through them.
+    /// All languages, in the order in which the workbench cycles through them.
     pub const ALL: [Language; 2] = [Language::English, Language::Turkish];
 
-    /// As the options and the configuration name it.
+    /// Returns the language's name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -30,12 +30,13 @@ impl Language {
         }
     }
 
-    /// The one of this name.
+    /// Returns the language with this name.
     pub fn named(name: &str) -> Option<Language> {
         Language::ALL.into_iter().find(|it| it.name() == name)
     }
 
-    /// The one that the locale means, which `env` tells; a variable that is empty is not set.
+    /// Returns the language of the locale in the environment `env`; an empty variable counts as
+    /// unset.
     pub fn of_locale(env: impl Fn(&str) -> Option<String>) -> Language {
         let set = |name| env(name).filter(|value| !value.is_empty());
         let locale = LOCALE.into_iter().find_map(set).unwrap_or_default();
@@ -43,7 +44,7 @@ impl Language {
         Language::named(&spoken.unwrap_or_default().to_ascii_lowercase()).unwrap_or_default()
     }
 
-    /// The next one.
+    /// Returns the next language, cyclically.
     #[must_use]
     pub fn next(self) -> Language {
         match self {
@@ -52,18 +53,18 @@ impl Language {
         }
     }
 
-    /// The one that is spoken.
+    /// Returns the current language.
     #[must_use]
     pub fn spoken() -> Language {
         spoken::get()
     }
 
-    /// Speaks it from now on.
+    /// Makes this the current language.
     pub fn speak(self) {
         spoken::set(self);
     }
 
-    /// The text with a capital for its first letter: of `i` that is `İ` in Turkish.
+    /// Capitalizes the first letter of a text; in Turkish, `i` becomes `İ`.
     #[must_use]
     pub fn capitalised(self, text: &str) -> String {
         let mut letters = text.chars();
@@ -83,7 +84,7 @@ impl Language {
     }
 }
 
-/// One for the program: work that is done apart speaks it too.
+/// The current language of the process, shared by all threads.
 #[cfg(not(test))]
 mod spoken {
     use super::Language;
@@ -103,7 +104,7 @@ mod spoken {
     }
 }
 
-/// One for each test: they run beside each other.
+/// The current language of each test thread, because tests run in parallel.
 #[cfg(test)]
 mod spoken {
     use super::Language;

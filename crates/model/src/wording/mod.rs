@@ -1,12 +1,12 @@
-//! What krank says, by what it means: one catalogue, and what each language makes of it.
+//! All messages of krank, in a catalogue with an implementation for each language.
 //!
-//! A sentence is a function: of nothing where it is always the same, of the names and figures in it where it is
-//! not. They come as they are to be read, figures written by `report::number`, units as words of their own; what
-//! grammar asks for (a plural, an order of words) is the affair of the language. Names of actions in a
-//! configuration, of columns and of keys are promises, and no wording.
+//! A message is a function whose arguments are the variable names and values. Arguments are passed
+//! in their final form: values are formatted by `report::number`, and units are separate words.
+//! Grammar (plural forms, word order) is handled by each language. Names of configurable actions,
+//! of columns and of keys are part of the interface and are never translated.
 //!
-//! A second language is a folder beside `english` with `catalogue! { impl .. }` for each of its parts, and a name
-//! in [`Language`]; while a sentence is missing in it, it does not build.
+//! A second language is a folder next to `english` with `catalogue! { impl .. }` for each of its
+//! parts, and a variant of [`Language`]. A missing message is a compile error.
 
 #[macro_use]
 mod catalogue;
@@ -19,7 +19,7 @@ pub use language::Language;
 use english::*;
 use turkish::Turkish;
 
-/// Every sentence, in one language.
+/// All messages in one language.
 pub trait Words:
     ActingWords
     + ActionsWords
@@ -66,16 +66,16 @@ pub trait Words:
 impl Words for English {}
 impl Words for Turkish {}
 
-/// A sentence that is chosen where nothing is said yet, as in a table of actions.
+/// A reference to a message, for tables such as that of the actions.
 pub type Wording = fn(&'static dyn Words) -> &'static str;
 
-/// The sentences in the language that is spoken.
+/// Returns the messages in the current language.
 pub fn words() -> &'static dyn Words {
     Language::spoken().words()
 }
 
-/// The sentences as files for other programs have them, whatever is spoken: names and reasons in CSV and JSON are
-/// promises.
+/// Returns the messages for files that other programs read. They are always English: names and
+/// reasons in CSV and JSON must not change.
 pub fn for_programs() -> &'static dyn Words {
     &English
 }

@@ -1,13 +1,13 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-/// A sentence as its language has it: what it is given, and its text.
+/// A message in one language: the names of its arguments, and its text.
 struct Sentence {
     given: Vec<String>,
     text: String,
 }
 
-/// The sentences in the sources of a language, by their part and name.
+/// Parses the messages from the sources of a language, keyed by part and name.
 fn sentences(language: &str) -> BTreeMap<String, Sentence> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/wording");
     let files = std::fs::read_dir(folder.join(language)).unwrap();
@@ -53,7 +53,7 @@ fn sentences(language: &str) -> BTreeMap<String, Sentence> {
     all
 }
 
-/// Whether a word stands in a text by itself.
+/// Returns `true` if a text contains a word as a whole.
 fn names(text: &str, word: &str) -> bool {
     text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_')
         .any(|part| part == word)

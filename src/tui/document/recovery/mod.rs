@@ -1,8 +1,8 @@
-//! Unsaved edits, kept in a file beside the person's other state until they are saved or dropped: whatever
-//! ends the program, they are there when it is started again.
+//! Records unsaved edits in the user's state folder until they are saved or discarded, so that they
+//! survive any end of the program.
 //!
-//! Every session has a file of its own, which it keeps locked: one without a lock is what a session has left
-//! that is no more. A session that has edited nothing has one too, for others to know that it is there.
+//! Every session keeps its own locked file. A file without a lock was left by a session that has
+//! ended. A session without edits has a file too, so that others see it.
 
 mod record;
 mod subject;
@@ -23,56 +23,57 @@ use std::sync::atomic::{AtomicU32, Ordering};
 use std::time::SystemTime;
 use subject::RecoverySubject;
 
-/// More files than this nobody leaves; the rest is not read.
+/// Maximum number of files read.
 const MOST_FILES: usize = 1000;
-/// Who puts another file there each time that we look is alive.
+/// Maximum number of attempts to read a file that its session keeps replacing. Such a session is
+/// running.
 const MOST_READS: usize = 10;
-/// What the names of edits end with.
+/// The extension of recorded edits.
 const ENDS: &str = "edits";
 
-/// What is unsaved of a scene.
+/// The unsaved edits of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct KeptEdits {
     /// The edited text.
     pub(crate) text: String,
-    /// What waits to be made of it.
+    /// The staged edits.
     pub(crate) waiting: GatheredEdits,
 }
 
-/// Edits that an earlier session has left.
+/// Edits left by an earlier session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Generation {
     pub(crate) edits: KeptEdits,
-    /// When they were made: `2026-11-21 14:03 UTC`.
+    /// The time of the edits: `2026-11-21 14:03 UTC`.
     pub(crate) time: String,
-    /// Whether they were made on another text than the file has now.
+    /// `true` if they are based on a text that differs from the file's current one.
     pub(crate) is_stale: bool,
-    /// Whether the file was written after they were made.
+    /// `true` if the file was written after the edits.
     pub(crate) is_older: bool,
-    /// Where they are kept.
+    /// The file that records them.
     pub(crate) file: PathBuf,
     made: u64,
 }
 
-/// Another session on the same scene.
+/// Another running session on the same scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Alive {
     pub(crate) process: u32,
     pub(crate) host: String,
-    /// When it opened the scene, or edited it last.
+    /// The time when it opened the scene or edited it last.
     pub(crate) time: String,
 }
 
-/// What others have kept of a scene.
+/// The records of other sessions on a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Others {
     pub(crate) alive: Vec<Alive>,
-    /// The latest first.
+    /// Edits of ended sessions, the latest first.
     pub(crate) left: Vec<Generation>,
 }
 
 impl KeptEdits {
-    /// An edited text of which nothing waits.
+    /// Creates edits without staged ones.
     #[cfg(test)]
     pub(crate) fn of(text: &str) -> KeptEdits {
         KeptEdits {
@@ -81,41 +82,42 @@ impl KeptEdits {
         }
     }
 
-    /// Whether they are any, beside this text.
+    /// Returns `true` if there is any change from `present`.
     fn change(&self, present: &str) -> bool {
         self.text != present || !self.waiting.is_empty()
     }
 }
 
-/// Where the edits of one scene are kept in this session.
+/// The record of one scene's edits in this session.
 #[derive(Debug)]
 pub(crate) struct Recovery {
     folder: PathBuf,
     session: SessionRun,
     subject: RecoverySubject,
-    /// Which of the scenes that were opened in this session it is.
+    /// The number of the scene among those opened in this session.
     number: u32,
-    /// The file of this session, which is locked as long as it is open.
+    /// The session's file, locked while it is open.
     held: Option<File>,
-    /// Whether it holds edits.
+    /// `true` if the file holds edits.
     kept: bool,
-    /// Whether it was said that they cannot be kept.
+    /// `true` if a failure to record edits was reported.
     told: bool,
-    /// Edits of earlier sessions that were taken up.
+    /// Restored edits of earlier sessions.
     taken: Vec<Taken>,
 }
 
-/// Edits that were taken up. They go with those of this session, unless they were taken back.
+/// Restored edits. Their file is deleted with those of this session, unless they were undone.
 #[derive(Debug)]
 struct Taken {
     file: PathBuf,
     text: String,
-    /// Whether what is edited now stands on them.
+    /// `true` if the current text includes these edits.
     is_in: bool,
 }
 
 impl Recovery {
-    /// For the scene that was opened with this text. Others are told that a file is open here.
+    /// Creates the record for a scene opened with this text. A scene from a file is announced to
+    /// other sessions.
     pub(crate) fn new(
         folder: &Path,
         session: &SessionRun,
@@ -137,7 +139,7 @@ impl Recovery {
         recovery
     }
 
-    /// What others have kept of this scene, whose text is `present`.
+    /// Returns the records of other sessions on this scene, whose text is `present`.
     pub(crate) fn others(&self, present: &str) -> Others {
         let mut others = Others::default();
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
@@ -163,7 +165,7 @@ impl Recovery {
         let is_alive = held.unwrap_or_else(|| !record.session.is_gone());
         match record.edits {
             _ if is_alive => {
-                // Of what no file holds everybody has their own.
+                // Scenes without a file are private to each session.
                 if self.subject.is_file() && self.subject.is(&record.subject) {
                     others.alive.push(Alive {
                         process: record.session.process,
@@ -172,7 +174,7 @@ impl Recovery {
                     });
                 }
             }
-            // It had nothing to lose.
+            // The session had no edits.
             None => drop(fs::remove_file(path)),
             Some(edits) if self.subject.is(&record.subject) && edits.change(present) => {
                 others.left.push(Generation {
@@ -188,7 +190,7 @@ impl Recovery {
         }
     }
 
-    /// Keeps edits; in words why it cannot, once.
+    /// Records edits. Returns a message on the first failure only.
     pub(crate) fn keep(
         &mut self,
         edits: KeptEdits,
@@ -208,7 +210,7 @@ impl Recovery {
         }
     }
 
-    /// Puts the file of this session in the place of the one before.
+    /// Replaces the session's file atomically.
     fn write(&mut self, edits: Option<KeptEdits>, saved: &str, now: SystemTime) -> io::Result<()> {
         make_private(&self.folder)?;
         let record = Record {
@@ -229,17 +231,18 @@ impl Recovery {
         self.folder.join(format!("{session}-{number}.{ENDS}"))
     }
 
-    /// Tells others that a file is open here, without edits. What is no file is nobody else's business.
+    /// Announces the open file to other sessions, without edits. A scene without a file is not
+    /// announced.
     fn announce(&mut self) {
         if self.subject.is_file() {
-            // What cannot be kept is said with the first edit.
+            // A failure is reported with the first edit.
             let _ = self.write(None, "", SystemTime::now());
         } else if self.held.take().is_some() {
             delete(&self.file());
         }
     }
 
-    /// These edits of an earlier session are this one's now.
+    /// Adopts the edits of an earlier session.
     pub(crate) fn take(&mut self, file: PathBuf, text: String) {
         self.taken.push(Taken {
             file,
@@ -248,7 +251,8 @@ impl Recovery {
         });
     }
 
-    /// Nothing of this session is unsaved any more: what was taken up was taken back, and stays.
+    /// Notes that this session has no unsaved edits. Restored edits were undone, so their files
+    /// stay.
     pub(crate) fn rest(&mut self) {
         for taken in &mut self.taken {
             taken.is_in = false;
@@ -258,13 +262,14 @@ impl Recovery {
         }
     }
 
-    /// All was saved, or dropped: what was taken up too. What other sessions have left stays.
+    /// Notes that all edits were saved or discarded, including restored ones. Other records stay.
     pub(crate) fn release(&mut self) {
         self.drop_taken();
         self.rest();
     }
 
-    /// What was taken up is saved, or dropped; what is kept of this session stays.
+    /// Deletes the files of restored edits that are in the current text. This session's record
+    /// stays.
     pub(crate) fn drop_taken(&mut self) {
         for taken in self.taken.extract_if(.., |taken| taken.is_in) {
             delete(&taken.file);
@@ -273,7 +278,7 @@ impl Recovery {
 }
 
 impl Drop for Recovery {
-    /// Edits stay, and are offered again.
+    /// Keeps recorded edits, to be offered again; deletes an announcement.
     fn drop(&mut self) {
         if !self.kept && self.held.is_some() {
             delete(&self.file());
@@ -281,8 +286,9 @@ impl Drop for Recovery {
     }
 }
 
-/// What lies there, and whether its session holds it. A session that puts its next edits there lets go of the
-/// file that held those before: that one is no file of a session that is no more.
+/// Reads a record, and whether its session holds the lock (`None` if unknown). A session replaces
+/// its file with every edit and unlocks the old one. A file without a directory entry is therefore
+/// read again, not taken for that of an ended session.
 fn read_record(path: &Path) -> Option<(Record, Option<bool>)> {
     for _ in 0..MOST_READS {
         let file = open_to_read(path).ok()?;
@@ -295,7 +301,7 @@ fn read_record(path: &Path) -> Option<(Record, Option<bool>)> {
     None
 }
 
-/// Deletes edits that a person has no use for. What cannot be deleted is offered again.
+/// Deletes unwanted edits. If that fails, they are offered again.
 pub(crate) fn delete(file: &Path) {
     let _ = fs::remove_file(file);
 }

@@ -1,4 +1,4 @@
-//! How edits lie on the disk.
+//! The file format of recorded edits.
 //!
 //! ```text
 //! krank-edits 2
@@ -22,14 +22,16 @@ use std::fs;
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 const MAGIC: &str = "krank-edits 2";
-/// With edits that wait. Who does not know them takes such a record for none of its own, and leaves it where it is.
+/// Version with staged edits. Older programs do not recognize such a record and leave the file
+/// alone.
 const MAGIC_WAITING: &str = "krank-edits 3";
-/// No head is longer.
+/// Maximum length of the header, in bytes.
 pub(super) const LONGEST_HEAD: usize = 16 << 10;
-/// The longest name of a host, in the name of a file.
+/// Maximum length of the host name in a file's name.
 const LONGEST_HOST: usize = 64;
 
-/// The name of this machine, as far as it can be a part of the name of a file.
+/// Returns this machine's name with all characters but ASCII letters and digits replaced, for use
+/// in a file name.
 fn this_host() -> String {
     let uname = uname();
     let host = uname.nodename().to_string_lossy();
@@ -41,13 +43,13 @@ fn this_host() -> String {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct SessionRun {
     pub(super) process: u32,
-    /// In milliseconds: processes have their numbers again.
+    /// The start in milliseconds since 1970, because process numbers are reused.
     start: u64,
     pub(super) host: String,
 }
 
 impl SessionRun {
-    /// This process, at a time.
+    /// Creates the record of this process, started at `now`.
     pub(crate) fn begun(now: SystemTime) -> SessionRun {
         let start = now.duration_since(UNIX_EPOCH).unwrap_or(Duration::ZERO);
         SessionRun {
@@ -57,26 +59,27 @@ impl SessionRun {
         }
     }
 
-    /// The name of its file.
+    /// Returns the name of the session's file, without its number and extension.
     pub(super) fn name(&self) -> String {
         format!("{}-{}-{}", self.host, self.process, self.start)
     }
 
-    /// Whether it is known to be no more, where locks do not tell.
+    /// Returns `true` if the process is known to have ended, for systems where locks are
+    /// unavailable.
     pub(super) fn is_gone(&self) -> bool {
         this_host() == self.host && !fs::exists(format!("/proc/{}", self.process)).unwrap_or(true)
     }
 }
 
-/// What a session has kept.
+/// The recorded edits of a session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Record {
     pub(super) subject: RecoverySubject,
     pub(super) session: SessionRun,
     pub(super) base: u64,
-    /// In seconds since 1970.
+    /// The time of the edits, in seconds since 1970.
     pub(super) time: u64,
-    /// `None` where nothing was edited.
+    /// The edits; `None` if there are none.
     pub(super) edits: Option<KeptEdits>,
 }
 
@@ -122,7 +125,7 @@ impl Record {
         .concat()
     }
 
-    /// `None` for what is no such record.
+    /// Parses a record. Returns `None` for any other contents.
     pub(super) fn read(bytes: &[u8]) -> Option<Record> {
         let (head, text) = std::str::from_utf8(bytes).ok()?.split_once("\n\n")?;
         let mut lines = head.lines();
@@ -189,20 +192,20 @@ fn of_digits(digits: &str) -> Option<Vec<u8>> {
         .collect()
 }
 
-/// FNV-1a: the same on every machine and in every version.
+/// Computes the FNV-1a hash, which is equal on every machine and in every version.
 pub(super) fn sum(bytes: &[u8]) -> u64 {
     bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, byte| {
         (sum ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3)
     })
 }
 
-/// Seconds since 1970.
+/// Returns the seconds since 1970.
 pub(super) fn seconds(time: SystemTime) -> u64 {
     let since = time.duration_since(UNIX_EPOCH);
     since.unwrap_or(Duration::ZERO).as_secs()
 }
 
-/// The time as people write it, in Greenwich: `2026-11-21 14:03 UTC`.
+/// Formats a time in UTC: `2026-11-21 14:03 UTC`.
 pub(super) fn stamp(seconds: u64) -> String {
     let minutes = seconds / 60;
     let (year, month, day) = date(minutes / (24 * 60));
@@ -210,10 +213,10 @@ pub(super) fn stamp(seconds: u64) -> String {
     format!("{year:04}-{month:02}-{day:02} {hour:02}:{minute:02} UTC")
 }
 
-/// The date so many days after 1 January 1970, in the Gregorian calendar. Years begin in March here, so that
-/// the day that leap years have more is their last.
+/// Computes the Gregorian date a number of days after 1 January 1970. Internally, years begin in
+/// March, so that a leap day is the last of its year.
 fn date(days: u64) -> (u64, u64, u64) {
-    // From 1 March of the year 0; 400 years have 146,097 days.
+    // Days since 1 March of the year 0; 400 years have 146,097 days.
     let days = days.saturating_add(719_468);
     let (era, day) = (days / 146_097, days % 146_097);
     let year = (day - day / 1460 + day / 36_524 - day / 146_096) / 365;

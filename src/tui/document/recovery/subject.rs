@@ -1,4 +1,4 @@
-//! What edits belong to: a scene, whatever the name is written like by which it was opened.
+//! Identifies the scene that edits belong to, independent of the path by which it was opened.
 
 use super::record::{seconds, sum};
 use crate::tui::Origin;
@@ -7,19 +7,20 @@ use std::os::unix::ffi::OsStringExt;
 use std::os::unix::fs::MetadataExt;
 use std::time::UNIX_EPOCH;
 
-/// A file, whatever it is called: device, number, and when it was made, since numbers are used again.
+/// The identity of a file: device, inode number, and creation time in nanoseconds, because inode
+/// numbers are reused.
 pub(super) type Identity = [u64; 3];
 
-/// A scene.
+/// A scene, as the subject of recorded edits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct RecoverySubject {
     /// `file`, `preset` or `stdin`.
     pub(super) sort: String,
-    /// Its path with all links followed, its name, or the sum of its text.
+    /// The file's path with all links resolved, the preset's name, or the hash of the text.
     pub(super) name: Vec<u8>,
-    /// The file, where it is there.
+    /// The file's identity, if the file exists.
     pub(super) file: Option<Identity>,
-    /// When it was written last, in seconds.
+    /// The time of the last write, in seconds since 1970.
     pub(super) written: Option<u64>,
 }
 
@@ -35,7 +36,7 @@ impl RecoverySubject {
         };
         match origin {
             Origin::Preset(name) => plain("preset", name.clone().into_bytes()),
-            // Of what no file holds the text alone tells what it is.
+            // A scene without a file is identified by its text alone.
             Origin::New(_) | Origin::Stdin => {
                 plain("stdin", sum(text.as_bytes()).to_be_bytes().to_vec())
             }
@@ -61,8 +62,8 @@ impl RecoverySubject {
         self.sort == FILE
     }
 
-    /// Whether it is the same scene: under the same name, since editors put a new file in the place of the
-    /// old one, or the same file under another name.
+    /// Returns `true` if two subjects are the same scene: by name, because editors replace files,
+    /// or by the file's identity, if its name differs.
     pub(super) fn is(&self, other: &RecoverySubject) -> bool {
         let same_file = self.file.is_some() && self.file == other.file;
         self.sort == other.sort && (self.name == other.name || same_file)

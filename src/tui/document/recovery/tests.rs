@@ -1,4 +1,4 @@
-//! Sessions that come and go, in a folder of their own.
+//! Sessions that start and end, in a folder of their own.
 
 use super::*;
 use std::time::{Duration, UNIX_EPOCH};
@@ -17,7 +17,7 @@ fn four_bar() -> Origin {
     Origin::Preset("four-bar".into())
 }
 
-/// A session that began then, on a scene.
+/// Creates the record of a session that started at `begun`, on a scene.
 fn session(folder: &Path, begun: u64, origin: &Origin) -> Recovery {
     Recovery::new(folder, &SessionRun::begun(at(begun)), origin, "old")
 }

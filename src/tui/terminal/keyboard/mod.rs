@@ -1,10 +1,11 @@
-//! From the terminal's bytes to keys.
+//! Parses the terminal's bytes into keys.
 //!
-//! One reader sees everything that the terminal sends: keys, text that is pasted, answers to our questions on
-//! slow lines, answers to the questions of others, and noise. It is a state machine (after Paul Williams,
-//! "A parser for DEC's ANSI-compatible video terminals", vt100.net) that looks at each byte once and holds no more than a
-//! key is long. It always comes back: an ESC ends whatever was unfinished and begins anew, Ctrl-C is heard
-//! everywhere, and after a silence, which the bytes alone cannot tell, what has come so far is given up.
+//! A single reader receives everything from the terminal: keys, pasted text, answers to krank's own
+//! queries on slow lines, answers to other programs' queries, and noise. It is a state machine
+//! after Paul Williams, "A parser for DEC's ANSI-compatible video terminals", vt100.net. It
+//! examines each byte once and stores no more than the length of a key. It always recovers: ESC
+//! ends any unfinished sequence and starts a new one, Ctrl-C works in every state, and a timeout
+//! abandons incomplete input, which the bytes alone cannot reveal.
 
 mod sequence;
 
@@ -14,25 +15,27 @@ use crate::tui::commands::mouse::Mouse;
 use sequence::{control, csi, mouse, ss3};
 use std::time::{Duration, Instant};
 
-/// After a lone ESC. The tail of an arrow key comes within a millisecond, also at 9,600 baud.
+/// Timeout after a lone ESC. The rest of an arrow key arrives within a millisecond, even at 9,600
+/// baud.
 const ESCAPE_PATIENCE: Duration = Duration::from_millis(25);
-/// After any other unfinished key: long enough for a network, too short to be felt as deaf.
+/// Timeout for any other incomplete key: long enough for a network, too short to be noticed.
 const SEQUENCE_PATIENCE: Duration = Duration::from_millis(100);
-/// Within a string that was not asked for. Its rest must not be typed, so that a network may stall longer.
+/// Timeout within an unrequested string. Its rest must not be taken for keys, so a network may
+/// stall longer.
 const STRING_PATIENCE: Duration = Duration::from_millis(250);
-/// Within a paste, which may come in pieces.
+/// Timeout within a paste, which may arrive in pieces.
 const PASTE_PATIENCE: Duration = Duration::from_secs(1);
-/// Before a Ctrl-C within a paste that a person has pressed: pasted bytes follow on each other's heels.
+/// Minimum pause before a Ctrl-C pressed during a paste: pasted bytes follow each other faster.
 const PRESSED: Duration = Duration::from_millis(50);
-/// Pasted bytes follow each other faster than this; a key that is held down comes thirty times a second.
+/// Maximum pause between pasted bytes; a held key repeats only thirty times a second.
 const HEELS: Duration = Duration::from_millis(25);
-/// No key that a person presses has more bytes.
+/// Maximum length of a key in bytes.
 const LONGEST_KEY: usize = 8;
-/// A paste that takes longer has no end.
+/// Maximum duration of a paste. A longer one lacks its end sequence.
 const LONGEST_PASTING: Duration = Duration::from_secs(2);
-/// No key has more parameters; of a longer sequence only the end is waited for.
+/// Maximum length of parameters. Longer sequences are skipped up to their end.
 const LONGEST_SEQUENCE: usize = 32;
-/// What a paste may bring into an input line; the rest of a longer one is thrown away.
+/// Maximum length of a paste into an input line; the rest is dropped.
 const LONGEST_PASTE: usize = 64 * 1024;
 
 const ESC: u8 = 0x1b;
@@ -43,68 +46,69 @@ const BELL: u8 = 0x07;
 /// Parameters of the sequence before a paste.
 const PASTE_BEGINS: &[u8] = b"200";
 const PASTE_ENDS: &[u8] = b"\x1b[201~";
-/// Coordinates behind the report of a mouse that another program has left on.
+/// Number of bytes in an old-style mouse report, which another program may have left enabled.
 const MOUSE: u8 = 3;
 
-/// What the terminal sent.
+/// Input from the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum TerminalInput {
-    /// A key was pressed.
+    /// A pressed key.
     Key(Key),
-    /// Text was pasted; it must never be taken for keys.
+    /// Pasted text, which must never be interpreted as keys.
     Paste(String),
-    /// Something was done with the mouse.
+    /// A mouse event.
     Mouse(Mouse),
-    /// The terminal answered our question: all that was sent before has been drawn.
+    /// The answer to krank's own query: everything sent before it has been drawn.
     Answer,
 }
 
-/// What has begun and not ended.
+/// The state of the parser: the incomplete input.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Unfinished {
-    /// Nothing.
+    /// No incomplete input.
     #[default]
     Ground,
-    /// An ESC: a key, or the beginning of something.
+    /// An ESC: a key, or the start of a sequence.
     Escape,
-    /// A control sequence: parameters, then one letter. A long one is only waited out.
+    /// A control sequence: parameters, then one letter. Overlong ones are skipped.
     Csi,
-    /// A key of the other keypad.
+    /// A key of the application keypad (SS3).
     Ss3,
     /// A function key of the Linux console.
     Console,
-    /// So many bytes that are no key: of a mouse report, of a character with Alt.
+    /// A number of bytes to skip: of a mouse report, or of a character with Alt.
     Skipped(u8),
-    /// A character of so many more bytes.
+    /// A UTF-8 character with this number of bytes missing.
     Character(u8),
-    /// OSC, DCS, APC, PM or SOS: a string that somebody else has asked for.
+    /// OSC, DCS, APC, PM or SOS: a string that krank did not request.
     Text,
-    /// Text that is pasted.
+    /// Pasted text.
     Paste,
 }
 
-/// The state machine with its clock.
+/// The parser with its clock.
 #[derive(Debug, Default)]
 pub(crate) struct Keyboard {
     state: Unfinished,
-    /// Bytes of the character, the parameters or the paste that has begun.
+    /// Bytes of the incomplete character, parameters or paste.
     held: Vec<u8>,
-    /// The last bytes of a paste, the latest lowest.
+    /// The last eight bytes of a paste, the latest in the lowest byte.
     recent: u64,
-    /// When the paste began.
+    /// The time when the paste began.
     since: Option<Instant>,
-    /// Whether what had come of a paste was given up: its rest may still come.
+    /// `true` if an incomplete paste timed out. Its rest may still arrive.
     overdue: bool,
-    /// Bytes that came alone within a paste: a key, unless the paste goes on at once.
+    /// Bytes that arrived separately within a paste: a key, unless more of the paste follows at
+    /// once.
     alone: Vec<u8>,
     last_byte: Option<Instant>,
 }
 
 impl Keyboard {
-    /// Takes bytes that came `now`, and appends what they mean.
+    /// Parses bytes that arrived at `now` and appends the resulting input.
     pub(crate) fn feed(&mut self, bytes: &[u8], now: Instant, inputs: &mut Vec<TerminalInput>) {
         if self.state == Unfinished::Paste && bytes == ANSWER {
-            // It comes between keys and between pieces of a paste, and belongs to neither.
+            // An answer may arrive between keys or pieces of a paste; it belongs to neither.
             inputs.push(TerminalInput::Answer);
             return;
         }
@@ -123,8 +127,8 @@ impl Keyboard {
         }
     }
 
-    /// Decides what bytes were that came alone within a paste: keys, if nothing followed them at once, and else a part
-    /// of the paste.
+    /// Interprets bytes that arrived separately within a paste: as keys if no bytes followed at
+    /// once, or else as part of the paste.
     fn settle_alone(&mut self, now: Instant, inputs: &mut Vec<TerminalInput>) {
         if self.alone.is_empty() {
             return;
@@ -140,7 +144,8 @@ impl Keyboard {
         }
     }
 
-    /// Returns `true` if bytes within a paste may be a key: they are few, come after a pause, and do not end it.
+    /// Returns `true` if bytes within a paste may be a key: few bytes, after a pause, that do not
+    /// end the paste.
     fn comes_alone(&self, bytes: &[u8], now: Instant) -> bool {
         let pause = self
             .last_byte
@@ -151,7 +156,7 @@ impl Keyboard {
         is_key && pause >= Some(HEELS) && !ends
     }
 
-    /// When to call [`Keyboard::give_up`], if anything is held back.
+    /// Returns the time to call [`Keyboard::give_up`], if input is incomplete.
     #[must_use]
     pub(crate) fn deadline(&self) -> Option<Instant> {
         let patience = match self.state {
@@ -170,8 +175,8 @@ impl Keyboard {
         Some(self.last_byte? + patience)
     }
 
-    /// The rest did not come: a lone ESC was the key, of a paste is taken what there is, anything else is
-    /// dropped.
+    /// Ends incomplete input after its timeout: a lone ESC becomes a key, an incomplete paste is
+    /// delivered as it is, and anything else is dropped.
     pub(crate) fn give_up(&mut self, inputs: &mut Vec<TerminalInput>) {
         if let Some(then) = self.last_byte.filter(|_| !self.alone.is_empty()) {
             self.settle_alone(then + HEELS, inputs);
@@ -196,8 +201,8 @@ impl Keyboard {
         self.overdue = false;
     }
 
-    /// Whether bytes behind a paste that has stalled are keys: a person's come alone, the rest of a paste comes
-    /// on the heels of each other, and with its end.
+    /// Returns `true` if bytes after a stalled paste are keys. Keys arrive separately; the rest of
+    /// a paste arrives in bulk and with its end sequence.
     fn is_typed(&self, bytes: &[u8], now: Instant) -> bool {
         let is_alone = self
             .last_byte
@@ -205,7 +210,7 @@ impl Keyboard {
         is_alone && bytes.len() <= LONGEST_KEY && !has_end(bytes)
     }
 
-    /// What has come of a paste is text.
+    /// Delivers the stored part of a paste.
     fn pasted(&mut self, inputs: &mut Vec<TerminalInput>) {
         self.held.truncate(LONGEST_PASTE);
         if !self.held.is_empty() {
@@ -221,8 +226,8 @@ impl Keyboard {
             return;
         }
         match byte {
-            // What was unfinished is over. After another ESC, that one was a key: often this one begins the
-            // answer to a frame, which comes upon the heels of the key.
+            // ESC ends incomplete input. A preceding ESC was a key; this one often starts the
+            // answer to a frame, which may follow the key immediately.
             ESC => {
                 self.give_up(inputs);
                 self.begin(Unfinished::Escape);
@@ -264,7 +269,7 @@ impl Keyboard {
         match byte {
             0x00..0x20 | 0x7f => inputs.extend(control(byte).map(TerminalInput::Key)),
             0x20..0x7f => inputs.push(TerminalInput::Key(Key::Char(char::from(byte)))),
-            // A terminal of eight bits begins its sequences so; no character begins so in UTF-8.
+            // 8-bit control characters, which start no character in UTF-8.
             0x8f => self.begin(Unfinished::Ss3),
             0x9b => self.begin(Unfinished::Csi),
             0x90 | 0x98 | 0x9d..=0x9f => self.begin(Unfinished::Text),
@@ -281,7 +286,8 @@ impl Keyboard {
     }
 
     fn character(&mut self, byte: u8, rest: u8, inputs: &mut Vec<TerminalInput>) {
-        // A letter of another encoding: it is dropped, and what follows is none of it.
+        // An invalid continuation byte, probably of another encoding: the incomplete character is
+        // dropped.
         if byte & 0xc0 != 0x80 {
             self.begin(Unfinished::Ground);
             self.ground(byte, inputs);
@@ -307,7 +313,8 @@ impl Keyboard {
             b'[' => self.begin(Unfinished::Csi),
             b'O' => self.begin(Unfinished::Ss3),
             b']' | b'P' | b'_' | b'^' | b'X' => self.begin(Unfinished::Text),
-            // The end of a string, or a key with Alt, which is none: a slow line joins Esc and the next key.
+            // The end of a string, or a key with Alt, which is ignored: a slow line joins Esc with
+            // the next key.
             0xc2..=0xdf => self.begin(Unfinished::Skipped(1)),
             0xe0..=0xef => self.begin(Unfinished::Skipped(2)),
             0xf0..=0xf4 => self.begin(Unfinished::Skipped(3)),
@@ -338,7 +345,7 @@ impl Keyboard {
                 }
                 self.begin(Unfinished::Ground);
             }
-            // No sequence has these: it was noise, and this is a key.
+            // A byte invalid in any sequence: the sequence was noise, and this is a key.
             _ => {
                 self.begin(Unfinished::Ground);
                 self.ground(byte, inputs);
@@ -346,7 +353,7 @@ impl Keyboard {
         }
     }
 
-    /// Holds a parameter; of too many, that there were too many.
+    /// Stores a parameter byte, up to a maximum number.
     fn hold(&mut self, byte: u8) {
         if self.held.len() < LONGEST_SEQUENCE {
             self.held.push(byte);
@@ -382,13 +389,14 @@ impl Keyboard {
             self.pasted(inputs);
             self.begin(Unfinished::Ground);
         } else if self.has_come(ANSWER) {
-            // The terminal answers whenever it has drawn, in the middle of a paste too.
+            // The terminal answers as soon as it has drawn, even during a paste.
             self.drop_end(ANSWER);
             inputs.push(TerminalInput::Answer);
         }
     }
 
-    /// Whether a Ctrl-C within a paste is a key: nothing came just before it, or the paste has no end.
+    /// Returns `true` if a Ctrl-C within a paste is a key: after a pause, or in a paste without
+    /// end.
     fn is_pressed(&self, now: Instant) -> bool {
         let since = |then: Option<Instant>| then.map_or(Duration::ZERO, |t| now - t.min(now));
         since(self.last_byte) >= PRESSED
@@ -396,7 +404,7 @@ impl Keyboard {
             || self.held.len() > LONGEST_PASTE
     }
 
-    /// Whether the last bytes of the paste are these.
+    /// Returns `true` if the paste ends with these bytes.
     fn has_come(&self, end: &[u8]) -> bool {
         let bytes = self.recent.to_be_bytes();
         bytes.ends_with(end)
@@ -409,7 +417,7 @@ impl Keyboard {
     }
 }
 
-/// Returns `true` if a paste ends within these bytes.
+/// Returns `true` if these bytes contain the end of a paste.
 fn has_end(bytes: &[u8]) -> bool {
     let mut parts = bytes.windows(PASTE_ENDS.len());
     parts.any(|part| part == PASTE_ENDS)

@@ -1,26 +1,26 @@
-//! What the sequences of keys mean.
+//! Maps control sequences to keys and mouse events.
 
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::{Mouse, MouseDeed};
 use ratatui::layout::Position;
 
-/// Bits of the modifiers, after one is taken off: Shift, Alt, Ctrl, then others that no terminal is set to
-/// send for a plain key.
+/// Bits of the modifiers, after subtracting one: Shift, Ctrl, and all others, which terminals do
+/// not send for a plain key.
 const SHIFT: u32 = 1;
 const CONTROL: u32 = 4;
 const OTHERS: u32 = 2 | 8 | 16 | 32;
-/// The kind of an event that tells that a key was let go.
+/// The event type of a key release.
 const RELEASE: u32 = 3;
 
-/// Numbers of the buttons in a report of the mouse, and the bit that tells that it moved. Shift belongs to the terminal,
-/// which selects with it.
+/// Button codes of a mouse report, and the bit that marks motion. Codes with Shift are left to the
+/// terminal, which uses them for selection.
 const FIRST_BUTTON: u32 = 0;
 const MOVED: u32 = 32;
 const WHEEL_UP: u32 = 64;
 const WHEEL_DOWN: u32 = 65;
 
-/// A report of the mouse (mode 1006): `button;column;row`, counted from 1, and at its end `M`, or `m` where the button was
-/// let go.
+/// Parses a mouse report (mode 1006): `button;column;row`, counted from 1, with the final byte `M`,
+/// or `m` for a release.
 pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
     let parameters = std::str::from_utf8(parameters).ok()?;
     let mut numbers = parameters.split(';').map(|part| part.parse::<u32>().ok());
@@ -39,11 +39,11 @@ pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
     Some(Mouse { deed, at })
 }
 
-/// A control character.
+/// Returns the key of a control character.
 pub(super) fn control(byte: u8) -> Option<Key> {
     Some(match byte {
         0x00 => Key::Ctrl(' '),
-        // Some terminals send the first for the key that erases.
+        // Some terminals send 0x08 for Backspace.
         0x08 | 0x7f => Key::Backspace,
         b'\t' => Key::Tab,
         b'\r' => Key::Enter,
@@ -53,7 +53,7 @@ pub(super) fn control(byte: u8) -> Option<Key> {
     })
 }
 
-/// A key of the other keypad: `ESC O` and this.
+/// Returns the key of an SS3 sequence: `ESC O` and this byte.
 pub(super) fn ss3(last: u8) -> Option<Key> {
     match last {
         b'M' => Some(Key::Enter),
@@ -61,7 +61,7 @@ pub(super) fn ss3(last: u8) -> Option<Key> {
     }
 }
 
-/// A control sequence: its parameters, and the letter at its end.
+/// Returns the key of a control sequence, from its parameters and final letter.
 pub(super) fn csi(parameters: &[u8], last: u8) -> Option<Key> {
     let parameters = std::str::from_utf8(parameters).ok()?;
     let mut parts = parameters.split(';');
@@ -76,7 +76,7 @@ pub(super) fn csi(parameters: &[u8], last: u8) -> Option<Key> {
         b'~' if first == 27 => of_code(third, modifiers)?,
         b'~' => numbered(first)?,
         b'Z' => Key::BackTab,
-        // With other parameters it is where the cursor is.
+        // With other parameters it is a cursor position report.
         b'R' if first != 1 => return None,
         _ => moving(last).or_else(|| function(last))?,
     };
@@ -85,7 +85,7 @@ pub(super) fn csi(parameters: &[u8], last: u8) -> Option<Key> {
     is_plain.then_some(key)
 }
 
-/// A parameter and the one behind its colon; `None` where it is no number.
+/// Parses a parameter and its subparameter after the colon; `None` if either is not a number.
 fn numbers(part: &str) -> Option<(u32, u32)> {
     let mut parts = part.split(':');
     let mut number = || match parts.next() {
@@ -111,7 +111,7 @@ fn function(last: u8) -> Option<Key> {
     matches!(last, b'P'..=b'S').then(|| Key::Function(last - b'P' + 1))
 }
 
-/// The keys that VT220s have numbers for; there are gaps between their groups.
+/// Returns the key for a VT220 key number; the numbers have gaps between groups.
 fn numbered(number: u32) -> Option<Key> {
     let function = match number {
         1 | 7 => return Some(Key::Home),
@@ -128,7 +128,7 @@ fn numbered(number: u32) -> Option<Key> {
     u8::try_from(function).ok().map(Key::Function)
 }
 
-/// A key by its character, as newer terminals tell it.
+/// Returns the key for a character code, as sent by newer terminals.
 fn of_code(code: u32, modifiers: u32) -> Option<Key> {
     let key = match char::from_u32(code)? {
         '\u{1b}' => Key::Escape,
@@ -136,7 +136,7 @@ fn of_code(code: u32, modifiers: u32) -> Option<Key> {
         '\t' if modifiers & SHIFT != 0 => Key::BackTab,
         '\t' => Key::Tab,
         '\u{8}' | '\u{7f}' => Key::Backspace,
-        // Keys without a character have numbers from here.
+        // Codes of keys without a character.
         '\u{e000}'..='\u{f8ff}' => return None,
         c if c.is_control() => return None,
         'h' if modifiers & CONTROL != 0 => Key::Backspace,

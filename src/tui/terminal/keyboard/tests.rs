@@ -1,4 +1,4 @@
-//! Keys, pastes, answers and noise, in whatever pieces they come.
+//! Keys, pastes, answers and noise, in pieces of any length.
 
 use super::*;
 use proptest::prelude::*;
@@ -371,7 +371,7 @@ proptest! {
     }
 }
 
-/// Random bytes, and pieces of sequences, which random bytes seldom make.
+/// Generates random bytes mixed with parts of sequences, which random bytes rarely form.
 fn noise() -> impl Strategy<Value = Vec<u8>> {
     let alphabet = prop::sample::select(b"\x1b\x1b[[]OP<>?;:0123456789ABMRcmnuyq~ \x07\\".to_vec());
     prop_oneof![

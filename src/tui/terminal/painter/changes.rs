@@ -1,37 +1,37 @@
-//! What differs between the screen that is shown and the one that is wanted, as a list of what to write where.
+//! Computes the differences between the shown and the wanted screen as a list of writes.
 
 use super::super::sgr::{CellStyle, Sgr, identical};
 use ratatui::buffer::{Buffer, Cell};
 use std::ops::Range;
 
-/// What erasing to the end of a row costs.
+/// Length of the sequence that erases to the end of a row.
 const ERASING: usize = 3;
-/// Blanks that are saved by erasing a row: fewer are as soon written.
+/// Minimum number of blanks that erasing a whole row must save. Fewer are just as quickly written.
 const WORTH_WIPING: usize = 12;
 
-/// What is written at one place.
+/// A write at one position.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct CellChange {
     pub(super) x: u16,
     pub(super) y: u16,
-    /// With what in force: a blank, of which little of it is seen, takes that of its neighbours.
+    /// The style in force. A blank, on which little of it shows, takes its neighbours' style.
     pub(super) style: Sgr,
     pub(super) what: ToWrite,
 }
 
-/// What is written.
+/// The content of a write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum ToWrite {
-    /// The cell that is wanted.
+    /// The wanted cell.
     Cell,
-    /// A character of one byte that looks like it.
+    /// A similar character of one byte.
     Rough(char),
-    /// Nothing from here to the end of the row.
+    /// Erasure from here to the end of the row.
     Nothing,
 }
 
 impl CellChange {
-    /// Notes that it was written.
+    /// Updates the shown screen after the write.
     pub(super) fn take_effect(self, shown: &mut Buffer, wanted: &Buffer) {
         let width = usize::from(wanted.area.width);
         let at = usize::from(self.y) * width + usize::from(self.x);
@@ -49,7 +49,7 @@ impl CellChange {
     }
 }
 
-/// What is shown and what is wanted, of the same size, and what of it can be seen.
+/// The shown and the wanted screen, of equal size, and the terminal's visible styles.
 #[derive(Clone, Copy)]
 pub(super) struct Screens<'a> {
     pub(super) look: CellStyle,
@@ -58,7 +58,7 @@ pub(super) struct Screens<'a> {
 }
 
 impl Screens<'_> {
-    /// A row of what is shown, and of what is wanted.
+    /// Returns a row of the shown and of the wanted screen.
     pub(super) fn row(&self, y: u16) -> (&[Cell], &[Cell]) {
         let width = usize::from(self.wanted.area.width);
         let start = usize::from(y) * width;
@@ -66,10 +66,10 @@ impl Screens<'_> {
         (&self.shown.content[row.clone()], &self.wanted.content[row])
     }
 
-    /// Appends what differs in some columns of a row, in rough characters if it may.
+    /// Appends the differences in a range of columns of a row, with similar characters if `rough`.
     ///
-    /// Every cell of every frame is compared here, and once: most are the same, and what is to be done follows from
-    /// the others.
+    /// Every cell of every frame is compared here, and only once. Most cells are equal, so the
+    /// remaining work depends on the others only.
     pub(super) fn find(
         &self,
         y: u16,
@@ -108,7 +108,7 @@ impl Screens<'_> {
         changes.extend(erases);
     }
 
-    /// What is written at a place, if that is seen.
+    /// Returns the write at a position, if it changes the terminal visibly.
     fn change(
         &self,
         (x, y): (u16, u16),
@@ -135,18 +135,18 @@ impl Screens<'_> {
         })
     }
 
-    /// Whether a change makes ground of what is seen now.
+    /// Returns `true` if a change erases visible content.
     fn takes_away(&self, change: &CellChange) -> bool {
         let (shown, next) = self.row(change.y);
         let at = usize::from(change.x);
         self.look.is_blank(&next[at]) && !self.look.is_blank(&shown[at])
     }
 
-    /// Whether it is cheaper to erase the rest of a row from here on than to write blanks one by one: what is
-    /// erased and stays is written again.
+    /// Returns `true` if erasing the row from here on is shorter than writing blanks. Erased
+    /// content that stays must be written again.
     fn is_worth_wiping(&self, changes: &[CellChange], from: u16) -> bool {
         let gone = changes.iter().filter(|c| self.takes_away(c)).count();
-        // Most frames change a few cells of a row: then nothing else is asked of it.
+        // A quick exit: most frames change only a few cells of a row.
         let saved = gone.saturating_sub(WORTH_WIPING);
         if saved == 0 {
             return false;
@@ -158,7 +158,8 @@ impl Screens<'_> {
         stays.take(saved).count() < saved
     }
 
-    /// From where on a row is erased at once instead of cell by cell, if that is shorter.
+    /// Returns the column from which the row is erased at once, if that is shorter than cell by
+    /// cell.
     fn tail(&self, changes: &[CellChange]) -> Option<u16> {
         let (_, next) = self.row(changes[0].y);
         let is_ink = |cell: &Cell| !self.look.is_blank(cell);
@@ -173,7 +174,7 @@ impl Screens<'_> {
     }
 }
 
-/// Nothing from here to the end of the row.
+/// Returns the erasure of the row from `x` on.
 fn erased(x: u16, y: u16) -> CellChange {
     CellChange {
         x,
@@ -183,12 +184,12 @@ fn erased(x: u16, y: u16) -> CellChange {
     }
 }
 
-/// Some columns of a row, as an index into its cells.
+/// Converts a range of columns to indices into a row's cells.
 fn within(columns: &Range<u16>) -> Range<usize> {
     usize::from(columns.start)..usize::from(columns.end)
 }
 
-/// Gives blanks the style of what is written nearest to them in their row, where it does not show on them.
+/// Gives blanks the style of the nearest write in their row, if it does not show on blanks.
 fn blanks_like_their_neighbours(changes: &mut [CellChange], row: &[Cell]) {
     let is_blank = |change: &CellChange| {
         change.style == Sgr::PLAIN && row[usize::from(change.x)].symbol() == " "
@@ -210,8 +211,8 @@ fn blanks_like_their_neighbours(changes: &mut [CellChange], row: &[Cell]) {
     }
 }
 
-/// The same changes, those of one style together: plain ones first, since what is erased is written anew
-/// behind that, and the others as they come.
+/// Sorts changes by style: plain ones first, because erased cells are written again after them,
+/// then the others in order of appearance.
 pub(super) fn sort_by_style(changes: &[CellChange], sorted: &mut Vec<CellChange>) {
     let mut styles = vec![Sgr::PLAIN];
     for change in changes {
@@ -225,7 +226,7 @@ pub(super) fn sort_by_style(changes: &[CellChange], sorted: &mut Vec<CellChange>
     }
 }
 
-/// A character of one byte for one of three that looks like it.
+/// Returns a character of one byte that resembles a cell's character of three bytes.
 fn roughly(cell: &Cell) -> Option<char> {
     match cell.symbol() {
         "\u{2500}" => Some('-'),
@@ -235,7 +236,7 @@ fn roughly(cell: &Cell) -> Option<char> {
     }
 }
 
-/// Positions within a row, which is at most `u16::MAX` wide.
+/// Converts a position within a row, which is at most `u16::MAX` wide.
 fn to_u16(n: usize) -> u16 {
     u16::try_from(n).unwrap_or(u16::MAX)
 }

@@ -1,4 +1,4 @@
-//! Writes changes in an order that was chosen, with the shortest ways between them.
+//! Writes changes in a given order, with the shortest cursor movements between them.
 
 use super::super::queue;
 use super::super::sgr::{CellStyle, Sgr};
@@ -8,20 +8,21 @@ use crossterm::cursor::{MoveRight, MoveTo};
 use crossterm::terminal::{Clear, ClearType};
 use ratatui::buffer::Cell;
 
-/// Up to so many unchanged cells are written again rather than skipped: `ESC [ n C` costs as much.
+/// Maximum number of unchanged cells to rewrite instead of skipping: `ESC [ n C` has the same
+/// length.
 const REWRITE: u16 = 4;
 
-/// What it costs to take a style back.
+/// Length of the sequence that resets the style.
 const PLAINLY: usize = 3;
 
-/// What is written, and how the terminal stands behind it.
+/// The written bytes, and the terminal's state after them.
 #[derive(Debug)]
 pub(super) struct CellPen {
     pub(super) bytes: Vec<u8>,
-    /// Where the cursor is, if that is certain.
+    /// The cursor position, if known.
     cursor: Option<(u16, u16)>,
     sgr: Sgr,
-    /// The bytes of another order, while it is found which is shorter.
+    /// The bytes of the other order, during a comparison of lengths.
     other: Vec<u8>,
 }
 
@@ -36,7 +37,7 @@ impl Default for CellPen {
     }
 }
 
-/// A list that was written: how it stood before, and how far it went.
+/// A written list: the state before it, and the number of changes written.
 pub(super) struct WrittenList {
     start: usize,
     cursor: Option<(u16, u16)>,
@@ -45,19 +46,19 @@ pub(super) struct WrittenList {
 }
 
 impl CellPen {
-    /// Begins a frame: where the cursor stands is unknown, what is in force is plain.
+    /// Starts a frame: the cursor position is unknown, the style is plain.
     pub(super) fn begin(&mut self) {
         self.bytes.clear();
         (self.cursor, self.sgr) = (None, Sgr::PLAIN);
     }
 
-    /// Puts a style in force.
+    /// Switches to a style.
     pub(super) fn set(&mut self, style: Sgr) {
         style.put_in_force(self.sgr, &mut self.bytes);
         self.sgr = style;
     }
 
-    /// Writes changes until there is no room; however little there is, a frame brings something.
+    /// Writes changes up to the limit. Even with a tiny limit, every frame writes something.
     pub(super) fn write(
         &mut self,
         screens: Screens<'_>,
@@ -81,7 +82,7 @@ impl CellPen {
         list
     }
 
-    /// Writes a list in another order, and keeps that where it is shorter.
+    /// Writes a list in another order and keeps that version if it is shorter.
     pub(super) fn write_instead(
         &mut self,
         screens: Screens<'_>,
@@ -94,7 +95,7 @@ impl CellPen {
         self.bytes.truncate(list.start);
         (self.cursor, self.sgr) = (list.cursor, list.sgr);
         self.write(screens, changes, usize::MAX);
-        // What is in force at the end is to be taken back.
+        // The style at the end must be reset.
         let ending = |sgr: Sgr| if sgr == Sgr::PLAIN { 0 } else { PLAINLY };
         let this = self.bytes.len() - list.start + ending(self.sgr);
         if this >= self.other.len() + ending(sgr) {
@@ -121,12 +122,12 @@ impl CellPen {
                 return;
             }
         }
-        // Behind the last column terminals differ.
+        // Terminals differ in the cursor position after the last column.
         let next = (change.x + 1, change.y);
         self.cursor = (usize::from(next.0) < row.len()).then_some(next);
     }
 
-    /// Moves the cursor by the shortest of the ways there.
+    /// Moves the cursor by the shortest sequence.
     fn go_to(&mut self, change: &CellChange, look: CellStyle, shown: &[Cell], row: &[Cell]) {
         let (x, y) = (change.x, change.y);
         match self.cursor {
@@ -151,8 +152,8 @@ impl CellPen {
         self.cursor = Some((x, y));
     }
 
-    /// To another row, or back in this one: by returns and line feeds, where these are fewer bytes than a
-    /// place in figures.
+    /// Moves to another row, or back in this one: by backspaces, returns and line feeds if they are
+    /// shorter than an absolute position.
     fn leave(&mut self, (cx, cy): (u16, u16), (x, y): (u16, u16)) {
         let start = self.bytes.len();
         queue(&mut self.bytes, MoveTo(x, y));
@@ -179,7 +180,8 @@ impl CellPen {
         }
     }
 
-    /// Whether a cell can be written with what is in force. A blank shows little of it.
+    /// Returns `true` if a cell looks right in the current style. On a blank, little of a style
+    /// shows.
     fn suits(&self, look: CellStyle, cell: &Cell) -> bool {
         let sgr = look.sgr_of(cell);
         sgr == self.sgr || (cell.symbol() == " " && sgr == Sgr::PLAIN && self.sgr.leaves_blanks())

@@ -210,7 +210,7 @@ catalogue! {
     }
 }
 
-/// `no slide`, `1 slide`, `2 slides`.
+/// Formats a count with its noun: `no slide`, `1 slide`, `2 slides`.
 fn some(count: usize, one: &str) -> String {
     match count {
         0 => format!("no {one}"),

@@ -1,4 +1,4 @@
-//! Errors of the library that are shown to the user.
+//! Errors of the library shown to the user.
 
 use super::English;
 use std::fmt::Display;

@@ -17,7 +17,7 @@ catalogue! {
         bisection = "bisection";
         runge_kutta(steps: &dyn Display, turns: &dyn Display) = "RK4 {steps} x {turns}";
 
-        // Why a method cannot be used.
+        // Reasons why a method is not applicable.
         a_group = "a group";
         the_group_at(point: &str) = "the group at {point}";
         has_no_closed_form(group: &str) = "{group} has no closed form";
@@ -38,7 +38,7 @@ catalogue! {
         failures = "fail";
         iterations = "iter";
 
-        // What they mean.
+        // Explanations.
         of_time_is =
             "time for one position with velocities and accelerations: median and quartiles; for RK4, the time of a \
              step";
@@ -71,7 +71,7 @@ catalogue! {
         runge_kutta_is =
             "velocities integrated by the Runge-Kutta method, n steps per 360 deg, compared in the m-th cycle";
 
-        // A method by hand.
+        // Methods worked out step by step.
         watch_a_method = "step through a method";
         guess = "guess";
         type_where_it_begins = "the initial guess";
@@ -167,7 +167,7 @@ catalogue! {
             "Not by bisection: both unknowns are positions along guides, the equations are linear, and one step of \
              Newton-Raphson solves them.";
 
-        // By compass and ruler.
+        // Graphical constructions.
         no_assembly_to_draw = "There is no assembly, so the circles do not meet: there is nothing to draw.";
         scale_of_sheet(scale: &str) =
             "All points fit on an A4 sheet at {scale}. A point can be drawn and read to 0.2 mm on paper.";

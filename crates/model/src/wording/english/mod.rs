@@ -1,4 +1,4 @@
-//! English: the sentences by what they are about.
+//! English messages, grouped by topic.
 
 mod acting;
 mod actions;
@@ -80,11 +80,11 @@ pub(super) use tour::TourWords;
 pub(super) use views::ViewsWords;
 pub(super) use working::WorkingWords;
 
-/// The language that krank was written in.
+/// English, the default language.
 #[derive(Debug)]
 pub(super) struct English;
 
-/// `1 link`, `3 links`.
+/// Formats a count with its noun: `1 link`, `3 links`.
 fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }

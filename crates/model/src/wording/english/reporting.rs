@@ -7,7 +7,7 @@ catalogue! {
     trait ReportingWords for English {
         language_tag = "en";
 
-        // How it begins.
+        // The beginning.
         unit_vectors_are(along: &str, across: &str) =
             "With the unit vectors {along} along an angle and {across} perpendicular to it, to its left:";
 

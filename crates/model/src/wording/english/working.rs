@@ -6,7 +6,7 @@ use std::fmt::Display;
 catalogue! {
     /// The text between the equations of the working.
     trait WorkingWords for English {
-        // How it begins.
+        // The beginning.
         driver_turns(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "State: {state}. The driver {driver} turns: at {at}, with {speed} and {acceleration}.";
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =

@@ -204,7 +204,7 @@ catalogue! {
     }
 }
 
-/// `kızak yok`, `1 kızak`, `2 kızak`.
+/// Formats a count with its noun: `kızak yok`, `1 kızak`, `2 kızak`.
 fn some(count: usize, what: &str) -> String {
     match count {
         0 => format!("{what} yok"),

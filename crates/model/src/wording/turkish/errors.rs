@@ -1,4 +1,4 @@
-//! Errors of the library that are shown to the user.
+//! Errors of the library shown to the user.
 
 use super::{Turkish, parser};
 use crate::wording::english::ErrorsWords;

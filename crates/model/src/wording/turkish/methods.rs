@@ -17,7 +17,7 @@ catalogue! {
         bisection = "ikiye bölme";
         runge_kutta(steps: &dyn Display, turns: &dyn Display) = "RK4 {steps} x {turns}";
 
-        // Why a method cannot be used.
+        // Reasons why a method is not applicable.
         a_group = "bir grup";
         the_group_at(point: &str) = "{point} noktasındaki grup";
         has_no_closed_form(group: &str) = "{group}: kapalı formu yok";
@@ -37,7 +37,7 @@ catalogue! {
         error_of_accelerations = "ivm";
         failures = "başarısız";
 
-        // What they mean.
+        // Explanations.
         of_time_is = "hızları ve ivmeleriyle bir konumun süresi: ortanca ve çeyrekler; RK4 için bir adımın süresi";
         errors_of_three = "kon hız ivm";
         errors_are =
@@ -71,7 +71,7 @@ catalogue! {
         newton_is = "doğrusallaştırılmış vektörel konum denklemlerini tam adımlarla art arda çözer";
         bisection_is = "her grupta bir kök içeren yarım turu, uçları arasında sayı kalmayana dek ikiye böler";
 
-        // A method by hand.
+        // Methods worked out step by step.
         watch_a_method = "yöntemi adım adım izle";
         guess = "tahmin";
         type_where_it_begins = "ilk tahmin";
@@ -150,7 +150,7 @@ catalogue! {
             "İkiye bölmeyle olmaz: iki bilinmeyen de kılavuz boyunca konumdur, denklemler doğrusaldır ve \
              Newton-Raphson'un bir adımı çözer.";
 
-        // By compass and ruler.
+        // Graphical constructions.
         no_assembly_to_draw = "Montaj biçimi yok, çemberler kesişmez: çizilecek bir şey yok.";
         scale_of_sheet(scale: &str) =
             "Bütün noktalar {scale} ölçekle bir A4 kâğıda sığar. Bir nokta kâğıtta 0.2 mm doğrulukla çizilir ve \

@@ -1,9 +1,10 @@
-//! Turkish: the same sentences, in the words of a course on machine dynamics.
+//! Turkish messages, with the terms of a course on machine dynamics.
 //!
-//! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`; what is typed
-//! (options, keys, names of columns and of actions) stays as it is. No ending is put behind a name that comes in.
-//! Sentences use the polite imperative (`yazın`); labels of one to three words use the plain form (`kaydet`). A loop
-//! and a cycle are both a `döngü`, a dyad is an `ikili grup`, a coupled group a `bağlaşık grup`.
+//! A link is an `uzuv`, a joint a `mafsal`, the frame the `şase`, an assembly a `montaj biçimi`. A
+//! loop and a cycle are both a `döngü`, a dyad is an `ikili grup`, a coupled group a `bağlaşık
+//! grup`. Typed text (options, keys, names of columns and actions) is not translated. Inserted
+//! names get no suffix. Sentences use the polite imperative (`yazın`); labels of one to three words
+//! use the plain form (`kaydet`).
 
 mod acting;
 mod actions;
@@ -48,6 +49,6 @@ mod tour;
 mod views;
 mod working;
 
-/// The language of the lectures that krank implements.
+/// Turkish, the language of the lectures that krank implements.
 #[derive(Debug)]
 pub(super) struct Turkish;

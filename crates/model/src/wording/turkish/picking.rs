@@ -1,4 +1,4 @@
-//! The list of scenes, and the preview beside it.
+//! The list of scenes, with a preview.
 
 use super::Turkish;
 use crate::wording::english::PickingWords;

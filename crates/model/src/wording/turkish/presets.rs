@@ -1,7 +1,7 @@
-//! The scenes that are built in: what their files say of them, and how that reads in Turkish. A scene is
-//! somebody's own as soon as its name, its source or its note is another.
+//! Turkish translations of the titles, sources and notes in the built-in scenes. A changed text has
+//! no translation and is shown as it is.
 
-/// What stands in a built-in scene, in Turkish; every other text as it is.
+/// Returns the translation of a text in a built-in scene, or any other text unchanged.
 pub(super) fn said(text: &str) -> &str {
     let known = TEXTS.iter().find(|(english, _)| *english == text);
     known.map_or(text, |(_, turkish)| turkish)

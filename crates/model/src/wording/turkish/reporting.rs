@@ -7,7 +7,7 @@ catalogue! {
     impl ReportingWords for Turkish {
         language_tag = "tr";
 
-        // How it begins.
+        // The beginning.
         unit_vectors_are(along: &str, across: &str) =
             "Birim vektörler: açı boyunca {along}, ona dik ve soluna {across}:";
 

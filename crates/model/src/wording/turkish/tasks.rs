@@ -78,7 +78,7 @@ catalogue! {
         let_y_change =
             "y değerinin değiştiği bir fonksiyon ya da çiftler yazın; bekleme fonksiyonun ancak bir parçası olabilir";
 
-        // What came of a task.
+        // Results of a task.
         wanted_motion = "istenen";
         poses_wanted(count: usize) = "{count} konumda bir cisim";
         pairs_wanted(count: usize) = "{count} çiftten geçen bir fonksiyon";
@@ -147,7 +147,7 @@ catalogue! {
         solved_with_goals(vary: &str) = "  krank solve SAHNE --vary {vary} \\";
         kept_by_goals = "Başka sayılarla görevini ancak hedefler bunu isterse yapar:";
 
-        // The list of what came of it.
+        // The list of results.
         linkages = "mekanizmalar";
         linkages_for(task: &str) = "{task} için mekanizmalar";
         good_and_defective(good: usize, defective: usize) = {

@@ -13,7 +13,7 @@ catalogue! {
         means_nothing_here(key: &dyn Display, help: &str) = "{key} burada bir şey yapmaz; tuşlar: {help}";
         nothing_acts_in_short = "burada kuvvet yok: yük, yay ya da kütle yok";
         layout_is(name: &str) = {
-            // The configuration's word stands behind it: that is what is written there.
+            // Followed by the name in the configuration, which is never translated.
             let said = match name {
                 "auto" => "yere göre",
                 "one" => "tek",

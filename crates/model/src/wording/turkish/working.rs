@@ -6,7 +6,7 @@ use std::fmt::Display;
 
 catalogue! {
     impl WorkingWords for Turkish {
-        // How it begins.
+        // The beginning.
         driver_turns(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
             "Durum: {state}. Tahrik {driver} döner: {at} konumunda, hızı {speed}, ivmesi {acceleration}.";
         driver_slides(state: &str, driver: &str, at: &str, speed: &str, acceleration: &str) =
