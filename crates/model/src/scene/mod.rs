@@ -119,9 +119,10 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 
-/// Maximum size of a scene file in bytes: 1 MiB.
+/// The rules of the scene file as Markdown, for manuals.
 pub const RULES: &str = include_str!("rules.md");
 
+/// Maximum size of a scene file in bytes: 1 MiB.
 pub const LARGEST_FILE: usize = 1 << 20;
 
 /// A scene: a mechanism with names, a unit and a place in the text for every element.
