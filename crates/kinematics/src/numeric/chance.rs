@@ -32,12 +32,13 @@ impl SeededChance {
         2.0 * part - 1.0
     }
 
-    /// Returns two numbers of the standard normal distribution by Marsaglia's polar method, which
-    /// needs no platform-dependent sine.
+    /// Returns a random number from `low` to `high`.
     pub fn within(&mut self, low: f64, high: f64) -> f64 {
         low + 0.5 * (1.0 + self.even()) * (high - low)
     }
 
+    /// Returns two numbers of the standard normal distribution by Marsaglia's polar method, which
+    /// needs no platform-dependent sine.
     pub fn normal(&mut self) -> [f64; 2] {
         let ([x, y], square) = self.in_disc();
         let scale = (-2.0 * square.ln() / square).sqrt();
