@@ -1,5 +1,5 @@
-//! `krank accuracy`. A scene whose driver has limits leaves the long integrations out. Nothing here depends on how long
-//! anything takes: what follows from times is tested with a simulated clock, in `tests/library/accuracy.rs`.
+//! Tests of `krank accuracy`. A scene whose driver has limits skips the long integrations. No test
+//! here depends on running times: `tests/library/accuracy.rs` tests timing with a simulated clock.
 
 use super::{done, folder, json, refused, rows};
 
@@ -10,7 +10,7 @@ fn with(more: &[&str]) -> String {
 }
 
 #[test]
-fn the_text_is_a_table_a_chart_and_what_they_mean() {
+fn text_contains_table_and_chart() {
     let text = with(&[]);
     assert!(text.is_ascii(), "{text}");
     assert!(text.lines().all(|line| line.len() <= 80), "{text}");
@@ -65,7 +65,7 @@ fn csv_has_a_row_for_every_method() {
         assert!(!is_measured || row[3].len() > 1, "{row:?}");
         assert!(["true", "false"].contains(&row[10].as_str()), "{row:?}");
     }
-    // Bisection halves half a turn until no number lies between: about as often as a number has bits.
+    // Bisection halves half a turn down to adjacent doubles: about as many steps as a double has bits.
     let counts = rows[15][12..]
         .iter()
         .map(|cell| cell.parse::<u32>().unwrap());
@@ -80,7 +80,7 @@ fn csv_has_a_row_for_every_method() {
 }
 
 #[test]
-fn json_says_the_same() {
+fn json_has_times_and_errors_of_every_method() {
     let json = json(&with(&["--format", "json"]));
     assert_eq!(json["scene"], "Chebyshev's double rocker");
     assert_eq!(
@@ -92,7 +92,7 @@ fn json_says_the_same() {
     assert_eq!(methods.len(), 22);
     let closed = &methods[0];
     assert_eq!(closed["key"], "a");
-    // A busy machine may have found another one faster.
+    // On a busy machine, another method may be the fastest.
     assert!(closed["best"].is_boolean());
     let time = |part: &str| closed[part].as_f64().unwrap();
     assert!(time("time.low [ns]") <= time("time [ns]"));
@@ -104,7 +104,7 @@ fn json_says_the_same() {
 }
 
 #[test]
-fn results_go_to_a_file() {
+fn results_are_written_to_a_file() {
     let file = folder("accuracy").join("methods.csv");
     assert_eq!(with(&["--format", "csv", "-o", file.to_str().unwrap()]), "");
     let written = std::fs::read_to_string(file).unwrap();
@@ -112,6 +112,6 @@ fn results_go_to_a_file() {
 }
 
 #[test]
-fn a_scene_that_is_not_there_is_refused() {
+fn unknown_scene_is_rejected() {
     assert!(refused(2, &["accuracy", "forbar"]).contains("did you mean the preset `four-bar`?"));
 }

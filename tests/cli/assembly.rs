@@ -1,4 +1,4 @@
-//! `--assembly` and `krank start`: another assembly, looked at and saved.
+//! Tests of `--assembly` and `krank start`: showing and saving another assembly.
 
 use super::{command, done, folder, json, refused, rows, run};
 use std::fs;
@@ -9,9 +9,9 @@ fn with<'a>(command: &'a str, args: &[&'a str]) -> Vec<&'a str> {
     [&[command], CROSSED, args].concat()
 }
 
-/// The mirror value of hard case H29, from every command.
+/// The mirrored coordinates of hard case H29, by `table` and `sweep`.
 #[test]
-fn h29_the_other_assembly_is_there_for_every_command() {
+fn h29_other_assembly_has_its_known_coordinates() {
     let table = json(&done(&with("table", &["--at", "240", "--format", "json"])));
     let c = &table["points"]["C"];
     assert!(table.to_string().contains("233.03106360959"), "{c}");
@@ -58,7 +58,7 @@ fn check_lists_choices_and_whole_assemblies() {
 }
 
 #[test]
-fn what_cannot_be_chosen_is_refused() {
+fn invalid_assembly_choices_are_rejected() {
     for (code, wish, phrase) in [
         (
             2,
@@ -69,7 +69,7 @@ fn what_cannot_be_chosen_is_refused() {
         (2, "C=1", "`C` needs a sign"),
         (2, "C=+,C=-", "`C` is given twice"),
         (2, "C:-", "write NAME=+ or NAME=-"),
-        // The scene is sound; with this wish it cannot be put together.
+        // The scene is valid, but cannot be assembled with this request.
         (
             1,
             "C=-",
@@ -82,7 +82,7 @@ fn what_cannot_be_chosen_is_refused() {
 }
 
 #[test]
-fn the_numbers_of_a_coupled_group_are_told() {
+fn coupled_group_reports_its_assembly_numbers() {
     let args = ["check", "stephenson-six-bar", "--assembly", "E=3"];
     let message = refused(1, &args);
     assert!(
@@ -92,7 +92,7 @@ fn the_numbers_of_a_coupled_group_are_told() {
 }
 
 #[test]
-fn a_scene_that_opens_at_a_change_point_says_how_to_go_on() {
+fn start_at_change_point_suggests_assembly_option() {
     let flat = done(&["start", "parallelogram"]).replace("angle = 60", "angle = 180");
     let here = folder("change-point");
     fs::write(here.join("flat.toml"), flat).unwrap();
@@ -133,7 +133,7 @@ fn start_prints_the_scene_with_another_start() {
 }
 
 #[test]
-fn start_writes_over_the_scene_itself() {
+fn start_overwrites_its_input_scene() {
     let here = folder("start");
     let file = here.join("mine.toml");
     let mine = done(&["start", "four-bar"]).replace("[start]", "# up or down\n[start] # here");
@@ -150,13 +150,13 @@ fn start_writes_over_the_scene_itself() {
         "{saved}"
     );
     assert_eq!(saved.lines().count(), mine.lines().count());
-    // A refusal leaves the file alone.
+    // A failed command leaves the file unchanged.
     let mut start = command(&["start", "mine.toml", "--assembly", "X=-", "-o", "mine.toml"]);
     assert_eq!(run(start.current_dir(&here)).code, 2);
     assert_eq!(fs::read_to_string(&file).unwrap(), saved);
 }
 
-/// Three dyads, one behind the other, and no word of how they stand.
+/// Three dyads in series without start positions.
 const OPEN: &str = r#"
 [ground]
 A = [0, 0]
@@ -176,9 +176,9 @@ r7 = { from = "E", to = "F", length = 300 }
 r8 = { from = "F", to = "H", length = 400 }
 "#;
 
-/// All that is open is asked for at once, and the lines that are shown can be copied: the scene then opens.
+/// The message lists all ambiguous points at once, and the scene opens with its lines copied.
 #[test]
-fn all_that_a_start_leaves_open_is_asked_for_at_once() {
+fn all_ambiguous_start_positions_are_listed_at_once() {
     let file = folder("all-open").join("scene.toml");
     std::fs::write(&file, OPEN).unwrap();
     let name = file.to_str().unwrap();
@@ -197,7 +197,7 @@ fn all_that_a_start_leaves_open_is_asked_for_at_once() {
     }
     std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines.join("\n"))).unwrap();
     let first = done(&["check", name]);
-    // Each stands at the first of its places.
+    // Each point is at the first of its proposed positions.
     for line in &lines {
         let (point, places) = line.split_once(" = [").unwrap();
         let (x, _) = places.split_once(',').unwrap();
@@ -222,7 +222,7 @@ fn all_that_a_start_leaves_open_is_asked_for_at_once() {
             "{line}: {first}"
         );
     }
-    // One that is told is not asked for any more.
+    // A point with a start position is not listed any more.
     std::fs::write(&file, format!("{OPEN}[start]\n{}\n", lines[0])).unwrap();
     let told = refused(2, &["check", name]);
     assert!(
@@ -231,10 +231,10 @@ fn all_that_a_start_leaves_open_is_asked_for_at_once() {
     );
 }
 
-/// C and Q are open and T has a start, but T reaches E from one of the places of C alone, above or below: that one stands
-/// in front, in whichever order the links are written, and the lines that are shown open the scene.
+/// C and Q are ambiguous. T has a start position, but reaches E from only one of the two positions of C. This position
+/// is listed first, in any order of the links, and the printed lines open the scene.
 #[test]
-fn what_is_advised_for_an_open_start_closes() {
+fn suggested_start_positions_can_be_assembled() {
     let of_c = [
         "r3 = { from = \"B\", to = \"C\", length = 300 }",
         "r4 = { from = \"C\", to = \"D\", length = 250 }",

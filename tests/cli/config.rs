@@ -1,12 +1,12 @@
-//! The configuration: its template, where it is looked for, and what is wrong with one.
+//! Tests of the configuration: its template, its location and its errors.
 
 use super::{command, done, folder, refused, run};
 
-/// Without a terminal the workbench is refused: that it comes so far tells that the configuration was read.
+/// The workbench fails without a terminal; this message shows that the configuration was read before.
 const NO_TERMINAL: &str = "standard output is not a terminal";
 
 #[test]
-fn the_template_is_a_configuration() {
+fn template_is_a_valid_configuration() {
     let text = done(&["config"]);
     assert!(text.contains("\n#play = \"space\" "), "{text}");
     assert!(text.contains("\n[keys]\n"), "{text}");
@@ -17,7 +17,7 @@ fn the_template_is_a_configuration() {
 }
 
 #[test]
-fn a_fault_is_told_as_one_of_a_scene_before_anything_else() {
+fn config_error_is_reported_before_scene_errors() {
     let home = folder("config-faulty");
     std::fs::create_dir_all(home.join("krank")).unwrap();
     let file = home.join("krank").join("config.toml");
@@ -33,13 +33,13 @@ fn a_fault_is_told_as_one_of_a_scene_before_anything_else() {
     for part in told.iter().chain(&["\"braille\""]) {
         assert!(heard.err.contains(part), "{part}: {}", heard.err);
     }
-    // Commands that show nothing by it do not read it.
+    // Commands that do not use the configuration do not read it.
     let listed = run(command(&["list"]).env("XDG_CONFIG_HOME", &home));
     assert_eq!(listed.code, 0, "{}", listed.err);
 }
 
 #[test]
-fn a_file_that_is_named_must_be_there_and_the_usual_one_need_not() {
+fn explicit_config_must_exist_but_default_may_be_missing() {
     let message = refused(2, &["--config", "nowhere.toml"]);
     assert!(
         message.starts_with("error: cannot read `nowhere.toml`: "),
@@ -59,9 +59,9 @@ fn a_file_that_is_named_must_be_there_and_the_usual_one_need_not() {
     assert!(message.contains("the file is not UTF-8"), "{message}");
 }
 
-/// All that is unknown is told at once, and the rest holds.
+/// All unknown entries are reported at once, and the valid ones apply.
 #[test]
-fn unknown_entries_are_warnings() {
+fn unknown_entries_give_warnings() {
     let file = folder("config-unknown").join("config.toml");
     let text = "glyfs = 1\nglyphs = \"ascii\"\nblink = true\n[keys]\nplya = \"F5\"\nstep = [\"F99\", \"F7\"]\n[mouse-keys]\nx = 1\n";
     std::fs::write(&file, text).unwrap();

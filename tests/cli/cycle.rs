@@ -1,10 +1,10 @@
-//! `krank cycle`: strokes, ratios and reasons in three forms, and what is refused.
+//! Tests of `krank cycle`: strokes, ratios and reasons in three formats, and rejected arguments.
 
 use super::{done, json, krank, presets, refused};
 
-/// The toggle-press, whitworth and all others: a page within 80 columns, and never a NaN.
+/// Every preset gives a page within 80 columns, without NaN or infinity.
 #[test]
-fn every_preset_has_a_page() {
+fn every_preset_prints_a_page_within_80_columns() {
     for preset in presets() {
         let heard = krank(&["cycle", &preset]);
         let text = heard.out;
@@ -17,10 +17,10 @@ fn every_preset_has_a_page() {
     }
 }
 
-/// An offset slider-crank, crank 40, rod 120, offset 50: sqrt(160^2 - 50^2) - sqrt(80^2 - 50^2) is its stroke, and
-/// the crank's angles at the dead centres are asin(50 / 160) and asin(50 / 80) off the guide.
+/// Closed form for an offset slider-crank with crank 40, rod 120 and offset 50: the stroke is sqrt(160^2 - 50^2) -
+/// sqrt(80^2 - 50^2). At the dead centres, the angles between crank and guide are asin(50 / 160) and asin(50 / 80).
 #[test]
-fn three_forms_tell_the_same() {
+fn text_csv_and_json_contain_the_same_values() {
     let stroke = (160.0_f64.powi(2) - 2500.0).sqrt() - (80.0_f64.powi(2) - 2500.0).sqrt();
     let apart = ((50.0_f64 / 80.0).asin() - (50.0_f64 / 160.0).asin()).to_degrees();
     let ratio = (180.0 + apart) / (180.0 - apart);
@@ -48,7 +48,7 @@ fn three_forms_tell_the_same() {
 }
 
 #[test]
-fn what_does_not_exist_has_a_reason() {
+fn missing_values_have_a_reason() {
     let text = done(&["cycle", "four-bar", "--columns", "r2.angle,r4.angle"]);
     assert!(text.contains("turns once per period"), "{text}");
     let csv = done(&["cycle", "excavator-boom", "--format", "csv"]);
@@ -60,10 +60,10 @@ fn what_does_not_exist_has_a_reason() {
     refused(2, &["cycle", "four-bar", "--dwell", "0"]);
 }
 
-/// The flywheel leaves little fluctuation, and the mean of the torque is less than what the motor can keep up, which
-/// is less than the root of the mean square: the headline says what stands below it.
+/// The flywheel leaves little fluctuation. The mean torque is below the motor's rating, which is
+/// below the root mean square. The headline must agree with the details below it.
 #[test]
-fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
+fn motor_verdict_depends_on_rating_and_flywheel() {
     let asked = |options: &[&str]| done(&[&["motor", "toggle-press"], options].concat());
     // 738 J at pi rad/s: 738 / (9.87 * 600) = 0.125. The mean is 141.6 N m, the root of the mean square 400.3.
     let text = asked(&["--rated", "200", "--flywheel", "600"]);
@@ -71,7 +71,7 @@ fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
         text.contains("\nmotor: enough, with the flywheel\n"),
         "{text}"
     );
-    // More than is wished.
+    // The fluctuation exceeds the requested limit.
     let text = asked(&[
         "--rated",
         "200",
@@ -93,17 +93,17 @@ fn a_motor_that_is_enough_with_its_flywheel_is_called_enough() {
     assert!(message.contains("impossible"), "{message}");
 }
 
-/// Used to be told to nine digits at a dead point, where rounding of the driver's coordinate leaves six or seven: both
-/// ends of a cell that is symmetrical differed.
+/// Regression test: values at a dead point were printed with nine digits, although rounding of the
+/// driver coordinate leaves only six or seven. Both ends of a symmetrical cell differed.
 #[test]
-fn a_dead_point_has_as_many_digits_as_are_known() {
+fn dead_point_values_show_only_reliable_digits() {
     let text = done(&["cycle", "peaucellier"]);
-    // Long lines are wrapped.
+    // Undoes the wrapping of long lines.
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");
     let mut turns: Vec<&str> = flat.split(", where the driver reverses").collect();
     turns.pop();
     assert_eq!(turns.len(), 4, "{text}");
-    // By the cell's own closed form the limit is acos(1/8), and the arms stand at half of it.
+    // By the cell's closed form, the limit is acos(1/8), and the arms are at half of it.
     for turn in turns {
         let value: f64 = turn
             .split_whitespace()
@@ -129,26 +129,26 @@ fn a_dead_point_has_as_many_digits_as_are_known() {
     assert!(text.contains("0.46840 s: 63.709 to 77.761"), "{text}");
 }
 
-/// Rounding used to be told as an acceleration of 2e-11 rad/s^2.
+/// Regression test: rounding error was printed as an acceleration of 2e-11 rad/s^2.
 #[test]
-fn a_link_that_turns_evenly_has_no_acceleration() {
+fn evenly_turning_link_has_zero_acceleration() {
     let text = done(&["cycle", "parallelogram"]);
     assert!(text.contains("fastest      1.00000 rad/s"), "{text}");
     assert!(text.contains("hardest      0 rad/s^2"), "{text}");
 }
 
-/// The rack of a steering stands in the middle at 0, but for rounding.
+/// The steering rack is at 0 in the middle, except for rounding errors.
 #[test]
-fn rounding_is_told_as_nought() {
+fn rounding_errors_print_as_zero() {
     let text = done(&["cycle", "ackermann"]);
     assert!(!text.contains("e-1"), "{text}");
     let bounds = done(&["cycle", "ackermann", "--bounds"]);
     assert!(bounds.contains(" +- "), "{bounds}");
 }
 
-/// Its bound stands beside each value at a turn, and that of a stroke is no less than both.
+/// Every extremum has a bound, and the stroke's bound is at least their sum.
 #[test]
-fn bounds_are_those_of_each_value() {
+fn each_extremum_and_stroke_has_its_bounds() {
     let told = ["cycle", "four-bar", "--columns", "C.x", "--bounds"];
     let found = json(&done(&[&told[..], &["--format", "json"]].concat()));
     let figure = &found["figures"][0];
@@ -170,18 +170,18 @@ fn bounds_are_those_of_each_value() {
     assert_eq!(text.matches(" +- ").count(), 3, "{text}");
 }
 
-/// The driver's coordinate has a column of its own in tables; here it is asked for like others.
+/// Tables always contain the driver coordinate; here it must be named like other columns.
 #[test]
-fn the_driver_is_followed_where_it_is_named() {
+fn driver_column_is_evaluated_when_named() {
     let text = done(&["cycle", "four-bar", "--columns", "driver.angle"]);
     assert!(text.contains("driver.angle [deg]"), "{text}");
     assert!(text.contains("turns once per period"), "{text}");
     assert!(text.contains("15.0000 rad/s"), "{text}");
 }
 
-/// A quotient of speeds whose divisor passes 0 has a reason; a figure that rests tells from where to where.
+/// A quotient with a divisor that passes zero has a reason. A dwelling value shows where the dwell starts and ends.
 #[test]
-fn poles_and_rests_are_told() {
+fn poles_and_dwells_are_reported() {
     let text = done(&["cycle", "four-bar", "--columns", "MA = r2.omega / r4.omega"]);
     assert!(text.contains("none: it is unbounded near 36.4"), "{text}");
     let text = done(&["cycle", "four-bar", "--columns", "f = max(B.y, 50 mm)"]);

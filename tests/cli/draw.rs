@@ -1,9 +1,9 @@
-//! `krank draw`: pictures in characters and as SVG.
+//! Tests of `krank draw`: pictures in characters and as SVG.
 
 use super::{PARALLEL_CRANKS, command, done, folder, json, krank, presets, refused, run};
 
 #[test]
-fn a_picture_is_as_large_as_asked_and_ascii_where_the_locale_is() {
+fn picture_has_requested_size_and_is_ascii_in_c_locale() {
     let usual = done(&["draw", "four-bar", "--at", "60"]);
     assert_eq!(usual.lines().count(), 24, "{usual}");
     assert!(usual.is_ascii(), "{usual}");
@@ -22,7 +22,7 @@ fn a_picture_is_as_large_as_asked_and_ascii_where_the_locale_is() {
 }
 
 #[test]
-fn the_glyphs_are_chosen_by_locale_or_by_option() {
+fn locale_or_option_selects_glyphs() {
     let drawn = |glyphs: &str| done(&["draw", "four-bar", "--glyphs", glyphs]);
     assert_eq!(drawn("auto"), drawn("ascii"));
     assert!(drawn("line").contains('\u{2502}'));
@@ -34,7 +34,7 @@ fn the_glyphs_are_chosen_by_locale_or_by_option() {
 }
 
 #[test]
-fn layers_are_drawn_and_explained() {
+fn layer_options_change_picture_and_legend() {
     let picture = done(&["draw", "four-bar", "--velocities", "--accelerations", "C"]);
     let legend = picture.lines().last().unwrap();
     assert!(legend.starts_with("v 500 mm/s = --"), "{legend}");
@@ -62,7 +62,7 @@ fn layers_are_drawn_and_explained() {
 }
 
 #[test]
-fn a_figure_can_be_taken_as_svg() {
+fn svg_is_printed_or_written_to_a_file() {
     let file = folder("draw").join("leg.svg");
     let path = file.to_str().unwrap();
     let args = ["draw", "jansen-leg", "--traces", "T", "--ghosts", "4"];
@@ -88,9 +88,9 @@ fn a_figure_can_be_taken_as_svg() {
     assert!(sized.contains("width=\"400\" height=\"320\""), "{sized}");
 }
 
-/// A scene's title is whatever somebody has written.
+/// The title of a scene is untrusted text.
 #[test]
-fn no_scene_writes_markup() {
+fn svg_escapes_markup_in_scene_title() {
     let hostile = PARALLEL_CRANKS.replace(
         "Three parallel cranks",
         "</title><script>1</script>\\u001B[2J&",
@@ -105,7 +105,7 @@ fn no_scene_writes_markup() {
 }
 
 #[test]
-fn every_preset_is_drawn() {
+fn every_preset_draws_as_text_and_svg() {
     for preset in presets() {
         let everything = [
             "draw",
@@ -127,10 +127,10 @@ fn every_preset_is_drawn() {
 }
 
 #[test]
-fn where_there_is_no_assembly_it_is_said_as_by_table() {
+fn position_without_assembly_fails_as_in_table() {
     let args = |command| [command, "double-rocker", "--at", "5"];
     assert_eq!(refused(1, &args("draw")), refused(1, &args("table")));
-    // At a limit there is a picture, without arrows, and the reason.
+    // At a limit, the picture has no arrows, and a note gives the reason.
     let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
     let limit = facts["range"][0].to_string();
     let heard = krank(&["draw", "double-rocker", "--at", &limit, "--velocities"]);
@@ -143,13 +143,13 @@ fn where_there_is_no_assembly_it_is_said_as_by_table() {
 }
 
 #[test]
-fn the_assembly_is_the_one_that_is_wished() {
+fn assembly_option_changes_the_picture() {
     let open = done(&["draw", "four-bar"]);
     assert_ne!(open, done(&["draw", "four-bar", "--assembly", "C=-"]));
 }
 
 #[test]
-fn what_is_not_understood_is_refused() {
+fn invalid_draw_arguments_are_rejected() {
     for (args, phrase) in [
         (&["draw"][..], "<SCENE>"),
         (&["draw", "four-bar", "--size", "80"], "columns x rows"),
@@ -173,7 +173,7 @@ fn what_is_not_understood_is_refused() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_ends_with_1() {
+fn unwritable_output_file_exits_with_1() {
     let message = refused(1, &["draw", "four-bar", "-o", "/no/such/folder/x.svg"]);
     assert!(
         message.contains("cannot write `/no/such/folder/x.svg`"),

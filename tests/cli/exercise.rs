@@ -1,4 +1,4 @@
-//! `exercise` and `grade`: a sheet goes out, answers come back.
+//! Tests of `exercise` and `grade`: sheets are created, and answers are graded.
 
 use super::{done, folder, krank, refused, rows};
 use std::fs;
@@ -15,7 +15,7 @@ fn shown(path: &Path) -> &str {
     path.to_str().unwrap()
 }
 
-/// The exact value of a column where a scene opens, to six digits.
+/// Returns the value of a column at a driver coordinate, with six digits.
 fn exact(scene: &Path, at: &str, column: &str) -> String {
     let args = [
         "sweep",
@@ -34,7 +34,7 @@ fn exact(scene: &Path, at: &str, column: &str) -> String {
     format!("{value:.5e}")
 }
 
-/// Where an exercise opens.
+/// Returns the initial driver angle of an exercise.
 fn angle(scene: &str) -> &str {
     let mut lines = scene.lines();
     lines
@@ -43,7 +43,7 @@ fn angle(scene: &str) -> &str {
 }
 
 #[test]
-fn a_sheet_is_text_and_the_same_for_the_same_seed() {
+fn sheet_is_determined_by_its_seed() {
     let sheet = done(&["exercise", "four-bar", "--seed", "7"]);
     assert_eq!(sheet, done(&["exercise", "four-bar", "--seed", "7"]));
     assert_ne!(sheet, done(&["exercise", "four-bar", "--seed", "8"]));
@@ -61,12 +61,12 @@ fn a_sheet_is_text_and_the_same_for_the_same_seed() {
         turkish.contains("Verilenler") && turkish.is_ascii(),
         "{turkish}"
     );
-    // The title of a preset is that of the language.
+    // Titles of presets are translated.
     assert!(turkish.contains("Krank-biyel, eksende: odev"), "{turkish}");
 }
 
 #[test]
-fn a_folder_holds_four_files_of_each_exercise() {
+fn exercise_writes_four_files_and_keeps_answers() {
     let here = fresh("exercise");
     let path = shown(&here);
     assert_eq!(
@@ -101,7 +101,7 @@ fn a_folder_holds_four_files_of_each_exercise() {
         solution.contains(&exact) && !sheet.contains(&exact),
         "{exact}"
     );
-    // As often as one likes, while nobody has answered.
+    // Exercises can be created again while their answer files are empty.
     done(&[
         "exercise",
         "press",
@@ -132,7 +132,7 @@ fn a_folder_holds_four_files_of_each_exercise() {
 }
 
 #[test]
-fn what_cannot_be_made_is_told() {
+fn invalid_exercise_arguments_are_rejected() {
     assert!(refused(2, &["exercise", "four-bar", "--count", "2"]).contains("-o DIR"));
     let last = u64::MAX.to_string();
     let here = folder("exercise-seeds");
@@ -151,9 +151,9 @@ fn what_cannot_be_made_is_told() {
     assert!(refused(2, &["grade", "four-bar"]).contains("ANSWERS"));
 }
 
-/// The notes' figures, which the lecture rounds here and there.
+/// The answers are the values of the lecture notes, which are rounded in some places.
 #[test]
-fn the_notes_are_graded() {
+fn grading_detects_early_rounding_and_wrong_sign() {
     let here = fresh("grade-notes");
     let notes = here.join("week4.csv");
     let text = "figure;unit;answer\nr4.length;cm;28,0\nr3.angle;deg;345,5\nr3.omega;rad/s;-89,45\n\
@@ -186,9 +186,9 @@ fn the_notes_are_graded() {
     );
 }
 
-/// What is 0 but for rounding is asked for as the sheet does, and the answer is 0.
+/// Values that are zero except for rounding errors are asked for, and 0 is the right answer.
 #[test]
-fn values_of_0_are_asked_for() {
+fn zero_values_are_asked_and_graded() {
     let here = fresh("exercise-rounding");
     let path = shown(&here);
     done(&["exercise", "parallelogram", "--seed", "4", "-o", path]);
@@ -206,9 +206,9 @@ fn values_of_0_are_asked_for() {
     assert!(told.contains("1 points of"), "{told}");
 }
 
-/// Spreadsheets write UTF-16 and leave columns out; what answers nothing of the scene is refused.
+/// Spreadsheets write UTF-16 and leave out columns. A file without any answer to the scene is rejected.
 #[test]
-fn a_file_of_answers_is_read_or_refused() {
+fn utf16_answers_are_read_and_unrelated_answers_rejected() {
     let here = fresh("grade-files");
     let file = here.join("ali.csv");
     let text = "\u{feff}figure\tanswer\r\nstudent\tAli\r\nr3.angle\t29,38\r\n";
@@ -227,9 +227,9 @@ fn a_file_of_answers_is_read_or_refused() {
     );
 }
 
-/// A class in a folder: every file finds its sheet, and what cannot be graded holds up nobody.
+/// Every file of a class finds its sheet, and an invalid file does not stop the others.
 #[test]
-fn a_class_is_a_table() {
+fn class_is_graded_into_a_table() {
     let here = fresh("grade-class");
     let class = here.join("class");
     done(&[
@@ -285,7 +285,7 @@ fn a_class_is_a_table() {
         encoding,misread\n";
     assert!(csv.starts_with(head), "{csv}");
     assert_eq!(table[0][..5], ["Ayse", "four-bar-1.toml", "22", "22", "22"]);
-    // A spreadsheet must not run what a student calls himself.
+    // A spreadsheet must not execute a student's name as a formula.
     assert_eq!(
         table[1][..5],
         ["'=Ali", "four-bar-2.toml", "22", "21", "21"]
@@ -337,9 +337,9 @@ fn a_class_is_a_table() {
     );
 }
 
-/// What is read is not written over, under whatever name.
+/// Input files are not overwritten, under any name or link.
 #[test]
-fn answers_and_sheets_are_not_written_over() {
+fn grade_does_not_overwrite_its_inputs() {
     let here = fresh("grade-over");
     let class = here.join("class");
     done(&["exercise", "four-bar", "--seed", "1", "-o", shown(&class)]);
@@ -375,10 +375,9 @@ fn answers_and_sheets_are_not_written_over() {
     assert!(fs::read_to_string(points).unwrap().contains("0 points"));
 }
 
-/// A file of answers that is not as empty as it was handed out stays, whatever is in it; so does every other file that
-/// somebody has changed.
+/// Answer files that are no longer empty stay unchanged, whatever they contain; so do all other edited files.
 #[test]
-fn what_somebody_wrote_is_never_lost() {
+fn exercise_does_not_overwrite_edited_files() {
     let here = fresh("exercise-lost");
     let make = ["exercise", "four-bar", "--seed", "7", "-o", shown(&here)];
     let again = ["--count", "2", "--seed", "6", "-o", shown(&here)];
@@ -411,19 +410,19 @@ fn what_somebody_wrote_is_never_lost() {
         assert!(!here.join("four-bar-6.toml").exists(), "{said}");
         fs::write(file(end), before).unwrap();
     }
-    // Spreadsheets save an empty file with other separators, ends of lines and cells beside.
+    // Spreadsheets save an empty file with other separators, other line ends and additional cells.
     let saved = blank.replace(',', ";").replace('\n', ";;\r\n");
     fs::write(file(".csv"), format!("\u{feff}{saved}")).unwrap();
     done(&again);
     assert_eq!(fs::read_to_string(file(".csv")).unwrap(), blank);
-    // Another assembly is another exercise.
+    // Another assembly gives another exercise.
     let other = [&make[..], &["--assembly", "C=-"][..]].concat();
     assert!(refused(1, &other).contains("four-bar-7.toml"));
 }
 
-/// The remark of where an exercise comes from is the command that makes it again.
+/// The `source` of an exercise is the command that creates it again.
 #[test]
-fn an_exercise_tells_how_it_is_made_again() {
+fn exercise_records_the_command_that_created_it() {
     let here = fresh("exercise-again");
     let scene = here.join("my bar.toml");
     fs::write(&scene, done(&["start", "four-bar"])).unwrap();
@@ -447,7 +446,7 @@ fn an_exercise_tells_how_it_is_made_again() {
 }
 
 #[test]
-fn a_scene_without_lengths_is_told_from_one_without_luck() {
+fn exercise_rejects_scene_without_lengths() {
     let here = fresh("exercise-none");
     let scene = here.join("point.toml");
     let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
@@ -457,9 +456,9 @@ fn a_scene_without_lengths_is_told_from_one_without_luck() {
     assert!(said.contains("no lengths"), "{said}");
 }
 
-/// Each row tells its file; a student who comes twice is told, and no name acts on a terminal.
+/// Each row names its file, a student with several files is reported, and no name contains control characters.
 #[test]
-fn a_class_tells_its_files() {
+fn class_table_names_files_and_duplicate_students() {
     let here = fresh("grade-files");
     let mut files = Vec::new();
     for (file, student) in [
@@ -490,9 +489,9 @@ fn a_class_tells_its_files() {
     assert!(text.out.contains("c.csv"), "{}", text.out);
 }
 
-/// The answers that a class of students wrote in their own way.
+/// Answer files in the various notations of a class of students.
 #[test]
-fn what_a_file_does_not_say_plainly_is_reported() {
+fn ambiguous_answers_are_reported() {
     let answers = |name: &str| format!("tests/answers/{name}");
     let sheet = answers("four-bar-7.toml");
     let files = ["names.csv", "cp1254.csv", "rpm.csv", "no_normal.csv"].map(answers);
@@ -525,9 +524,9 @@ fn what_a_file_does_not_say_plainly_is_reported() {
     }
 }
 
-/// Nothing waits for a pipe to which nobody writes, and one that is written to is read.
+/// A pipe without a writer does not block; a pipe with a writer is read.
 #[test]
-fn a_pipe_without_a_writer_is_refused() {
+fn pipe_without_writer_is_rejected() {
     let here = fresh("grade-pipe");
     let pipe = here.join("pipe.csv");
     let made = std::process::Command::new("mkfifo").arg(&pipe).status();
@@ -551,9 +550,9 @@ fn a_pipe_without_a_writer_is_refused() {
     assert!(out.contains("5 points of 22"), "{out}");
 }
 
-/// Units are spelled in scenes as in answers.
+/// Scenes accept the same spellings of units as answers.
 #[test]
-fn turkish_units_stand_in_scenes() {
+fn scenes_accept_turkish_units() {
     let here = fresh("turkish-units");
     let scene = here.join("scene.toml");
     let plain = done(&["start", "four-bar"]);

@@ -1,9 +1,9 @@
-//! `explain`: the working of one state, as text and as Markdown.
+//! Tests of `explain`: the working of one state, as text and as Markdown.
 
 use super::{command, done, folder, krank, refused, run};
 
 #[test]
-fn the_working_begins_where_the_scene_opens() {
+fn default_position_is_the_scenes_initial_position() {
     let text = done(&["explain", "four-bar"]);
     assert_eq!(text, done(&["explain", "four-bar", "--at", "60"]));
     assert!(text.starts_with("Four-bar crank-rocker\n---"), "{text}");
@@ -14,9 +14,9 @@ fn the_working_begins_where_the_scene_opens() {
     );
 }
 
-/// A length and an angle that the scene gives are not worked out again; between other points of the link they are.
+/// Does not derive a length or an angle given by the scene, but derives those between other points of the link.
 #[test]
-fn what_a_scene_gives_is_not_worked_out() {
+fn given_lengths_and_angles_are_not_derived() {
     let scene = |place: &str| {
         format!(
             "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\nG = [700, 200]\n[driver]\nlink = \"r2\"\nangle = 60\n\
@@ -33,7 +33,7 @@ fn what_a_scene_gives_is_not_worked_out() {
         heard.out
     };
     let told = "rd = sqrt(55.6231^2 + 171.19^2) = 180.000 mm";
-    // That of the ground is worked out either way.
+    // The ground vector is derived in both cases.
     let ground = "from the coordinates of the points";
     let given = worked("{ from = \"D\", length = 180, angle = 72 }");
     assert!(
@@ -45,7 +45,7 @@ fn what_a_scene_gives_is_not_worked_out() {
 }
 
 #[test]
-fn digits_are_as_asked() {
+fn digits_option_sets_significant_digits() {
     let text = done(&["explain", "four-bar", "--digits", "10"]);
     assert!(
         text.contains("  m = sqrt(mx^2 + my^2) = 360.5551275 mm\n"),
@@ -55,7 +55,7 @@ fn digits_are_as_asked() {
 }
 
 #[test]
-fn greek_letters_stand_where_the_locale_has_them() {
+fn utf8_locale_uses_greek_letters() {
     let mut utf8 = command(&["explain", "four-bar"]);
     let utf8 = utf8
         .env("LC_ALL", "en_US.UTF-8")
@@ -87,7 +87,7 @@ fn markdown_has_headings_tables_and_formulas() {
 }
 
 #[test]
-fn a_file_is_written() {
+fn output_file_equals_standard_output() {
     let file = folder("explain").join("four-bar.md");
     let path = file.to_str().unwrap();
     assert_eq!(
@@ -101,9 +101,9 @@ fn a_file_is_written() {
     );
 }
 
-/// What can still be said is said, and then why there is no more.
+/// Prints as much of the working as exists, followed by the cause of the end.
 #[test]
-fn outside_the_range_the_code_is_1() {
+fn position_outside_range_exits_with_1_and_partial_working() {
     let heard = krank(&["explain", "double-rocker", "--at", "200"]);
     assert_eq!(heard.code, 1);
     assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
@@ -115,7 +115,7 @@ fn outside_the_range_the_code_is_1() {
 }
 
 #[test]
-fn the_other_assembly_has_its_own_working() {
+fn other_assembly_has_its_own_working() {
     let text = done(&["explain", "four-bar", "--assembly", "C=-"]);
     assert!(text.contains("C lies to the right of B -> D"), "{text}");
     assert!(text.contains("  theta3 = -alpha - beta = "), "{text}");

@@ -1,4 +1,5 @@
-//! Files of every kind as input and output: nothing that was there is lost, nothing half written looks whole.
+//! Tests of input and output files of every kind: existing data is never lost, and partial output
+//! never looks complete.
 
 #[cfg(feature = "tui")]
 use super::krank;
@@ -14,7 +15,7 @@ use std::time::Duration;
 
 const FOUR_BAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/four-bar.toml");
 
-/// A folder with nothing in it.
+/// Creates an empty folder.
 fn fresh(test: &str) -> PathBuf {
     let folder = folder(&format!("files-{test}"));
     fs::remove_dir_all(&folder).unwrap();
@@ -22,7 +23,7 @@ fn fresh(test: &str) -> PathBuf {
     folder
 }
 
-/// A scene in a folder of its own.
+/// Creates a folder with a scene, and returns both paths.
 fn scene(test: &str) -> (PathBuf, PathBuf) {
     let folder = fresh(test);
     let scene = folder.join("scene.toml");
@@ -42,7 +43,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// krank as a line of the shell runs it: `$KRANK`.
+/// Runs a shell line in which `$KRANK` is the program.
 fn shell(folder: &Path, line: &str) -> Run {
     let output = Command::new("/bin/sh")
         .args(["-c", line])
@@ -59,9 +60,9 @@ fn shell(folder: &Path, line: &str) -> Run {
     }
 }
 
-/// `krank sweep scene.toml -o scene.toml` used to put the table in the place of the scene.
+/// Regression test: `krank sweep scene.toml -o scene.toml` replaced the scene by the table.
 #[test]
-fn the_scene_that_is_read_is_not_written_over() {
+fn output_does_not_overwrite_the_input_scene() {
     let (folder, scene) = scene("input-is-output");
     symlink("scene.toml", folder.join("soft.toml")).unwrap();
     fs::hard_link(&scene, folder.join("hard.toml")).unwrap();
@@ -94,7 +95,7 @@ fn the_scene_that_is_read_is_not_written_over() {
     let told = shell(&folder, "$KRANK table scene.toml >> scene.toml");
     assert_eq!(told.code, 2, "{}", told.err);
     assert_eq!(fs::read_to_string(&scene).unwrap(), before);
-    // A scene with another start is what this command writes, and may take its place; under both names.
+    // `start` writes a scene and may overwrite its input; both hard links remain.
     let told = shell(
         &folder,
         "$KRANK start scene.toml --assembly C=- -o scene.toml",
@@ -105,7 +106,7 @@ fn the_scene_that_is_read_is_not_written_over() {
 }
 
 #[test]
-fn pipes_and_descriptors_go_on_working() {
+fn pipes_and_descriptors_work_as_input_and_output() {
     let (folder, scene) = scene("pipes");
     let expected = done(&["table", text(&scene)]);
     for line in [
@@ -126,7 +127,7 @@ fn pipes_and_descriptors_go_on_working() {
             "{line}"
         );
     }
-    // What the shell has opened to be added to is added to.
+    // Output to a descriptor opened for appending is appended.
     let told = shell(
         &folder,
         "echo first > log; $KRANK table scene.toml -o /dev/fd/3 3>> log; cat log",
@@ -143,7 +144,7 @@ fn pipes_and_descriptors_go_on_working() {
 }
 
 #[test]
-fn endless_input_ends_and_waiting_for_input_can_be_left() {
+fn endless_input_is_rejected_and_blocked_read_is_interruptible() {
     for name in ["/dev/zero", "/dev/urandom"] {
         refused(2, &["check", name]);
     }
@@ -165,7 +166,7 @@ fn endless_input_ends_and_waiting_for_input_can_be_left() {
     let pid = rustix::process::Pid::from_child(&waiting);
     rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
     assert_eq!(waiting.wait().unwrap().signal(), Some(2));
-    // A configuration is a file and nothing else.
+    // A configuration must be a regular file.
     #[cfg(feature = "tui")]
     {
         let told = krank(&["four-bar", "--print", "--config", text(&pipe)]);
@@ -179,7 +180,7 @@ fn endless_input_ends_and_waiting_for_input_can_be_left() {
 }
 
 #[test]
-fn what_a_file_is_stays() {
+fn overwriting_keeps_mode_owner_and_symlinks() {
     let folder = fresh("kept-rights");
     let file = folder.join("out.csv");
     fs::write(&file, "old").unwrap();
@@ -209,7 +210,7 @@ fn what_a_file_is_stays() {
 }
 
 #[test]
-fn a_read_only_file_is_refused() {
+fn read_only_output_file_is_rejected() {
     let file = fresh("read-only").join("out.csv");
     fs::write(&file, "kept").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o444)).unwrap();
@@ -218,9 +219,10 @@ fn a_read_only_file_is_refused() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "kept");
 }
 
-/// In folders that take no new file: another's that only this file may be written in, and a sticky one.
+/// In folders where no file can be created: one owned by another user, where only this file is
+/// writable, and a sticky one.
 #[test]
-fn a_file_in_a_foreign_folder_is_written_in_its_place() {
+fn file_in_unwritable_folder_is_written_in_place() {
     let as_nobody = |folder: &Path, line: &str| {
         let krank = env!("CARGO_BIN_EXE_krank");
         let line = format!("setpriv --reuid 65534 --regid 65534 --clear-groups -- {line}");
@@ -251,7 +253,7 @@ fn a_file_in_a_foreign_folder_is_written_in_its_place() {
         let found = fs::metadata(&file).unwrap();
         assert_eq!((found.uid(), found.mode() & 0o777), (0, 0o666));
         assert_eq!(names(&place), ["out.csv"]);
-        // Another's file that is not to be written stays.
+        // A file of another user without write permission stays unchanged.
         fs::set_permissions(&file, fs::Permissions::from_mode(0o644)).unwrap();
         let told = as_nobody(&folder, &format!("$KRANK check press -o {name}"));
         assert_eq!(told.code, 1, "{}", told.err);
@@ -262,9 +264,9 @@ fn a_file_in_a_foreign_folder_is_written_in_its_place() {
     }
 }
 
-/// No file may grow beyond so many blocks: as a disk that is full half way.
+/// The limit on the file size acts like a disk that fills up during the write.
 #[test]
-fn a_full_disk_leaves_the_old_file_whole() {
+fn file_size_limit_keeps_the_old_file() {
     let folder = fresh("no-room");
     let (one, two) = (folder.join("one.csv"), folder.join("two.csv"));
     for is_linked in [false, true] {
@@ -287,9 +289,9 @@ fn a_full_disk_leaves_the_old_file_whole() {
     }
 }
 
-/// The same on a disk that is full, where one may be mounted.
+/// Fills a real small disk, if one can be mounted.
 #[test]
-fn a_small_disk_leaves_the_old_file_whole() {
+fn full_disk_keeps_the_old_file() {
     let folder = fresh("small-disk");
     let disk = folder.join("disk");
     fs::create_dir(&disk).unwrap();
@@ -323,9 +325,9 @@ fn a_small_disk_leaves_the_old_file_whole() {
     assert_eq!(left, ["linked", "one", "second"]);
 }
 
-/// Killed at any time, the file is the old one or the new one; what was left beside it goes with the next.
+/// After a kill at any time, the file has its old or its new content. The next run removes temporary files.
 #[test]
-fn a_kill_leaves_the_old_file_or_the_new_one() {
+fn killed_process_leaves_old_or_new_file() {
     let folder = fresh("killed");
     let (one, two) = (folder.join("one.csv"), folder.join("two.csv"));
     let sweep = |column: &str| {
@@ -336,7 +338,7 @@ fn a_kill_leaves_the_old_file_or_the_new_one() {
         done(&arguments.each_ref().map(String::as_str))
     });
     fs::write(&one, &texts[0]).unwrap();
-    // Every other round under two names, so that it is written in its place.
+    // From round 20 on, the file has two names, so it is written in place.
     for round in 0..40_u64 {
         if round == 20 {
             fs::hard_link(&one, &two).unwrap();
@@ -367,20 +369,20 @@ fn a_kill_leaves_the_old_file_or_the_new_one() {
     assert!(names(&records).is_empty(), "{:?}", names(&records));
 }
 
-/// A draft may be read by nobody who may not read the file.
+/// A temporary file must not be readable by users who cannot read the output file.
 #[test]
-fn a_private_file_is_private_while_it_is_written() {
+fn temp_file_has_the_mode_of_a_private_file() {
     let folder = fresh("private").canonicalize().unwrap();
     let file = folder.join("out.csv");
     fs::write(&file, "old").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
-    // Far more rows than are ever written.
+    // More rows than can ever be written.
     let mut child = Command::new(env!("CARGO_BIN_EXE_krank"))
         .args(["sweep", "press", "--step", "1e-6", "-o", text(&file)])
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
-    // What it has opened in the folder beside the old file, with a name or without.
+    // Finds the open file in the folder other than the old file, with or without a name.
     let opened = format!("/proc/{}/fd", child.id());
     let draft = || {
         let opened = fs::read_dir(&opened);
@@ -407,9 +409,9 @@ fn a_private_file_is_private_while_it_is_written() {
     assert_eq!(fs::read_to_string(&file).unwrap(), "old");
 }
 
-/// What others have put there under such a name is theirs.
+/// A locked file of another program with the name of a temporary file stays.
 #[test]
-fn a_foreign_file_in_the_way_stays() {
+fn foreign_temp_file_is_not_changed() {
     let (folder, _) = scene("in-the-way");
     let foreign = folder.join(".krank-1-0.part");
     let mut held = File::create(&foreign).unwrap();
@@ -427,9 +429,9 @@ fn a_foreign_file_in_the_way_stays() {
 
 const STUDY: &str = "$KRANK study four-bar --columns r4.angle.swing --vary r2.length=90..110/3 -o";
 
-/// Two studies used to write into one file, and both ended with 0.
+/// Regression test: two studies wrote to the same file, and both exited with 0.
 #[test]
-fn a_file_that_another_process_writes_is_left_alone() {
+fn file_locked_by_another_process_is_not_written() {
     let folder = fresh("held");
     let file = folder.join("rows.csv");
     fs::write(&file, "kept").unwrap();
@@ -458,9 +460,9 @@ fn a_file_that_another_process_writes_is_left_alone() {
     assert_eq!(names(&folder), ["link.csv", "rows.csv"]);
 }
 
-/// Rows go to what is no file of its own as they are, and to a file in a folder that takes no other one.
+/// Rows are written to pipes and devices, and a failed write keeps the older file.
 #[test]
-fn rows_of_a_study_go_where_other_results_go() {
+fn study_rows_can_go_to_pipes_and_devices() {
     let folder = fresh("study-places");
     let told = shell(&folder, &format!("{STUDY} rows.csv"));
     assert_eq!(told.code, 0, "{}", told.err);
@@ -478,7 +480,7 @@ fn rows_of_a_study_go_where_other_results_go() {
     assert!(told.err.contains("No space"), "{}", told.err);
     let told = shell(&folder, &format!("{STUDY} missing/rows.csv"));
     assert_eq!(told.code, 1, "{}", told.err);
-    // Killed while the disk is full, the older file stays.
+    // If the write fails because the disk is full, the older file stays.
     fs::write(folder.join("rows.csv"), "kept").unwrap();
     let told = shell(
         &folder,
@@ -488,9 +490,9 @@ fn rows_of_a_study_go_where_other_results_go() {
     assert_eq!(fs::read_to_string(folder.join("rows.csv")).unwrap(), "kept");
 }
 
-/// Thread stacks of this size cannot be had: the calling thread does the work.
+/// Threads with such a stack size cannot be created, so the calling thread does the work.
 #[test]
-fn commands_work_where_no_thread_can_be_created() {
+fn commands_work_if_threads_cannot_be_created() {
     let folder = fresh("no-threads");
     for line in [
         "$KRANK study four-bar --columns r4.angle.swing --vary r2.length=90..110/70",

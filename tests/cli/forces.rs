@@ -1,9 +1,9 @@
-//! `table` where something acts: what the driver must do, what joints and guides bear, and the checks.
+//! Tests of `table` with loads: driver torque, forces at joints and guides, and equilibrium checks.
 
 use super::{PARALLEL_CRANKS, command, done, json, rows, run};
 use std::collections::BTreeMap;
 
-/// The tables of a scene given on standard input.
+/// Returns the tables of a scene given on standard input.
 fn table(scene: &str, args: &[&str]) -> String {
     let mut command = command(&[&["table", "-"], args].concat());
     let heard = run(command.write_stdin(scene));
@@ -11,7 +11,7 @@ fn table(scene: &str, args: &[&str]) -> String {
     heard.out
 }
 
-/// What is behind the kinematics.
+/// Returns the part of the output after the kinematics.
 fn forces(text: &str) -> &str {
     let at = text.find("\ndriver ").map(|first| first + 1).unwrap();
     let at = text[at + 1..].find("\ndriver ").map(|next| at + 2 + next);
@@ -19,7 +19,7 @@ fn forces(text: &str) -> &str {
 }
 
 #[test]
-fn forces_stand_below_the_motion() {
+fn table_prints_forces_below_kinematics() {
     let text = done(&["table", "four-bar-load", "--at", "60"]);
     let expected = "\
 driver r2             total      loads     gravity    inertia
@@ -41,10 +41,10 @@ checks miss by      torque [N m]    fx [N]    fy [N]  moment [N m]
     assert!(text.lines().all(|line| line.len() <= 80), "{text}");
 }
 
-/// The load hangs on a rope, so its power is that of its fall: an oracle with a pencil. The gravity of the
-/// links is left out, and the driver's torque is the power by its speed.
+/// Without the gravity of the links, the only power is that of the falling load: the driver's
+/// torque is this power divided by the driver's speed.
 #[test]
-fn the_driver_does_what_the_load_takes() {
+fn driver_power_equals_load_power() {
     let scene = include_str!("../../presets/four-bar-load.toml");
     let scene = scene.replace("gravity = [0, -9.81]\n", "");
     let scene: String = scene
@@ -62,12 +62,12 @@ fn the_driver_does_what_the_load_takes() {
     assert!((found["driver.torque"] * speed - power).abs() < 1e-12 * power.abs());
     let rest = found["driver.torque"] - found["driver.torque.load"];
     assert!(rest.abs() < 1e-13, "{rest}");
-    // All that the frame feels is the load.
+    // The load is the only force on the frame.
     assert!(found["ground.fx"].abs() < 1e-12, "{}", found["ground.fx"]);
     assert!((found["ground.fy"] + 500.0).abs() < 1e-10);
 }
 
-/// The values of a table in CSV by their names.
+/// Maps the names of a CSV table to their values.
 fn figures(csv: &str) -> BTreeMap<String, f64> {
     let values = rows(csv).into_iter();
     values
@@ -76,7 +76,7 @@ fn figures(csv: &str) -> BTreeMap<String, f64> {
 }
 
 #[test]
-fn the_table_and_a_sweep_agree_to_the_bit() {
+fn table_and_sweep_agree_to_the_bit() {
     for preset in [
         "four-bar-load",
         "engine",
@@ -122,7 +122,7 @@ fn the_table_and_a_sweep_agree_to_the_bit() {
 }
 
 #[test]
-fn a_scene_without_loads_and_masses_shows_no_force() {
+fn scene_without_loads_and_masses_shows_no_forces() {
     for format in ["text", "csv", "json"] {
         let shown = done(&["table", "four-bar", "--format", format]);
         for word in ["N m", "torque", "force", "fx"] {
@@ -131,9 +131,9 @@ fn a_scene_without_loads_and_masses_shows_no_force() {
     }
 }
 
-/// Unless something acts on the pin itself, what one link feels there the other feels the other way.
+/// Unless a load acts on the pin itself, the forces on its two links are opposite.
 #[test]
-fn both_links_at_a_joint_feel_the_same() {
+fn joint_forces_on_both_links_are_opposite() {
     let found = figures(&done(&[
         "table",
         "press-ram",
@@ -153,7 +153,7 @@ fn both_links_at_a_joint_feel_the_same() {
             assert!((a + b).abs() <= 1e-12 * a.abs(), "{one} {a}, {other} {b}");
         }
     }
-    // The gas presses on the piston and not on its pin, the die on the ram.
+    // The gas acts on the piston instead of its pin, and the die acts on the ram.
     let text = done(&["table", "engine"]);
     assert!(
         text.contains("r3 at C, by piston") && !text.contains("piston at C"),
@@ -168,13 +168,13 @@ fn both_links_at_a_joint_feel_the_same() {
     assert!(!text.contains("r3 at B"), "{text}");
 }
 
-/// A force beside the guide: the guide's moment is that of its normal force at the place that is told.
+/// With an off-axis force, the guide's moment is that of its normal force at the printed position.
 #[test]
-fn the_line_of_action_of_a_guide_is_told() {
+fn guide_reports_its_line_of_action() {
     let scene = include_str!("../../presets/engine.toml");
     let scene = scene.replace("crown = [30, 0]", "crown = [30, 7]");
     let found = figures(&table(&scene, &["--format", "csv"]));
-    // 7 mm beside the pin, against +x: counter-clockwise, so the guide turns it back.
+    // 7 mm off the pin, against +x: counter-clockwise, so the guide's moment is clockwise.
     let gas = 32e3 * (0.664 + (0.466 - 0.664) * 0.5);
     assert!((found["r4.moment"] + 0.007 * gas).abs() < 1e-9 * gas);
     let by_hand = found["r4.moment"] / found["r4.normal"] * 1000.0;
@@ -184,7 +184,7 @@ fn the_line_of_action_of_a_guide_is_told() {
 }
 
 #[test]
-fn at_a_dead_point_there_is_no_torque() {
+fn dead_point_has_no_driver_force() {
     let end = json(&done(&["check", "excavator-boom", "--format", "json"]));
     let end = end["range"][1].as_f64().unwrap().to_string();
     let args = ["table", "excavator-boom", "--at", &end];
@@ -202,7 +202,7 @@ fn at_a_dead_point_there_is_no_torque() {
 }
 
 #[test]
-fn at_a_change_point_only_the_torque_has_a_value() {
+fn change_point_shows_only_the_driver_torque() {
     let scene = include_str!("../../presets/parallelogram.toml");
     let scene = format!("{scene}\n[[loads]]\npoint = \"C\"\nforce = [0, -10]\n");
     let text = table(&scene, &["--at", "0"]);
@@ -219,7 +219,7 @@ fn at_a_change_point_only_the_torque_has_a_value() {
 }
 
 #[test]
-fn what_a_redundant_linkage_leaves_open_is_named() {
+fn indeterminate_forces_are_listed() {
     let scene = format!("{PARALLEL_CRANKS}\n[[loads]]\npoint = \"C\"\nforce = [0, -10]\n");
     let text = table(&scene, &[]);
     let text: String = text.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -228,13 +228,13 @@ fn what_a_redundant_linkage_leaves_open_is_named() {
     let found = &json(&found)["forces"];
     assert!(found["c.D.fx"].is_null(), "{found}");
     assert!(found["indeterminate"].as_array().unwrap().len() > 4);
-    // The load falls as the cranks turn: 10 N over cos(60 deg) of 1 m.
+    // The load falls as the cranks turn: 10 N at an arm of cos(60 deg) times 1 m.
     let torque = found["driver.torque"].as_f64().unwrap();
     assert!((torque - 5.0).abs() < 1e-12, "{torque}");
 }
 
 #[test]
-fn check_tells_what_acts() {
+fn check_lists_loads_and_masses() {
     let text = done(&["check", "press-ram"]);
     let line = "\nforces     1 press, 5 links with a mass, gravity\n";
     assert!(text.contains(line), "{text}");
@@ -245,9 +245,9 @@ fn check_tells_what_acts() {
     assert!(!bare.contains("\nforces"), "{bare}");
 }
 
-/// A four-stroke's loads take two turns of the crank; its motion takes one.
+/// The loads of a four-stroke engine repeat after two turns of the crank; its motion after one.
 #[test]
-fn a_sweep_of_forces_goes_on_until_the_loads_repeat() {
+fn sweep_of_forces_covers_the_period_of_the_loads() {
     let rows = |columns: &str| {
         done(&["sweep", "engine", "--columns", columns])
             .lines()

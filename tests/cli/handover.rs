@@ -1,9 +1,9 @@
-//! What a scene is handed over as: DXF, a drawing to scale, scripts, and rows beside measurements.
+//! Tests of exports: DXF, drawings to scale, scripts and comparison with measurements.
 
 use super::{done, folder, krank, presets, refused, rows};
 use std::process::Command;
 
-/// An entity of a DXF document: its kind, and its pairs of a code and a value.
+/// An entity of a DXF document: its kind and its pairs of code and value.
 struct Entity {
     kind: String,
     pairs: Vec<(u16, String)>,
@@ -20,7 +20,7 @@ impl Entity {
     }
 }
 
-/// Reads DXF as any reader does: pairs of lines, an entity from each code 0 to the next.
+/// Parses DXF: pairs of lines, with a new entity at each code 0.
 fn read_dxf(text: &str) -> Vec<Entity> {
     let lines: Vec<&str> = text.lines().collect();
     assert!(
@@ -65,7 +65,7 @@ fn table(scene: &str, at: &str, columns: &str) -> Vec<f64> {
 }
 
 #[test]
-fn dxf_has_a_layer_for_each_link_and_the_very_doubles() {
+fn dxf_has_a_layer_per_link_and_exact_coordinates() {
     let text = done(&[
         "draw", "four-bar", "--at", "75", "--traces", "C", "--format", "dxf",
     ]);
@@ -108,7 +108,7 @@ fn dxf_has_a_layer_for_each_link_and_the_very_doubles() {
 }
 
 #[test]
-fn dxf_is_in_millimetres_whatever_the_unit() {
+fn dxf_is_always_in_millimetres() {
     let text = done(&["draw", "excavator-boom", "--format", "dxf"]);
     let place = table("excavator-boom", "2", "P.x,P.y");
     let all = read_dxf(&text);
@@ -125,7 +125,7 @@ fn dxf_is_in_millimetres_whatever_the_unit() {
     );
 }
 
-/// The width of an SVG in millimetres, and the places of its circles in millimetres.
+/// Returns the width of an SVG and the centres of its circles, in millimetres.
 fn circles(svg: &str) -> (f64, Vec<[f64; 2]>) {
     let value = |text: &str, name: &str| -> f64 {
         let from = text.find(&format!("{name}=\"")).unwrap() + name.len() + 2;
@@ -141,12 +141,12 @@ fn circles(svg: &str) -> (f64, Vec<[f64; 2]>) {
 }
 
 #[test]
-fn an_svg_to_scale_prints_at_that_scale() {
+fn svg_scale_sets_printed_size() {
     for (scale, factor) in [("1:2", 0.5), ("1:5", 0.2), ("2:1", 2.0)] {
         let svg = done(&["draw", "four-bar", "--format", "svg", "--scale", scale]);
         let (width, circles) = circles(&svg);
         assert!(width > 0.0);
-        // Nothing lies further apart than the ground pins, 400 mm, but what moves; a pair is as far apart as they.
+        // The ground pins are 400 mm apart, so one pair of circles must have that distance.
         let apart = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
         let fits = circles.iter().any(|a| {
             circles
@@ -170,7 +170,7 @@ fn an_svg_to_scale_prints_at_that_scale() {
     );
 }
 
-/// Runs a script if this machine has Python.
+/// Runs a Python script and returns its output, or `None` without Python.
 fn python(file: &str, args: &[&str]) -> Option<String> {
     let output = Command::new("python3").arg(file).args(args).output().ok()?;
     let error = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -178,18 +178,18 @@ fn python(file: &str, args: &[&str]) -> Option<String> {
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
-/// Runs scripts for Octave, if this machine has it, which speaks MATLAB: what all of them print.
+/// Runs a MATLAB script with Octave and returns its output, or `None` without Octave.
 fn octave(file: &str) -> Option<String> {
     let asked = ["--no-gui", "--quiet", "--no-init-file", file];
     let output = Command::new("octave").args(asked).output().ok()?;
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
-/// From where to where a script is asked for a preset, and in which steps: not at round places, where a change point
-/// may be; there a script keeps half of its digits.
+/// Returns start, end and step for the script of a preset. They avoid round values, where a change
+/// point may lie: there a script loses half of its digits.
 fn asked(preset: &str) -> [&'static str; 3] {
     match preset {
-        // Between their stops.
+        // These ranges lie between the stops.
         "double-wishbone" | "ackermann" => ["1.3", "13.3", "3"],
         "lift-table" => ["260.5", "610.5", "50"],
         "backhoe" => ["1", "1.6", "0.1"],
@@ -199,7 +199,7 @@ fn asked(preset: &str) -> [&'static str; 3] {
     }
 }
 
-/// What a script found is what krank finds.
+/// Checks that the rows of a script agree with a sweep by krank.
 fn agrees(preset: &str, found: &str) {
     let [from, to, step] = asked(preset);
     let heads: Vec<&str> = found.lines().next().unwrap().split(',').collect();
@@ -230,7 +230,7 @@ fn agrees(preset: &str, found: &str) {
 }
 
 #[test]
-fn the_python_script_of_every_preset_finds_the_same_places() {
+fn python_scripts_of_all_presets_match_krank() {
     let folder = folder("handover");
     for preset in presets() {
         let file = folder.join(format!("{}.py", preset.replace('-', "_")));
@@ -244,7 +244,7 @@ fn the_python_script_of_every_preset_finds_the_same_places() {
 }
 
 #[test]
-fn the_matlab_script_of_every_preset_finds_the_same_places() {
+fn matlab_scripts_of_all_presets_match_krank() {
     let folder = folder("handover-matlab");
     let mut all = format!("addpath('{}');\n", folder.display());
     for preset in presets() {
@@ -274,9 +274,9 @@ fn the_matlab_script_of_every_preset_finds_the_same_places() {
     }
 }
 
-/// A five-bar whose second crank follows by a closed table, and a telescope by an open one.
+/// The second crank of a five-bar follows a closed table, and a telescope follows an open one.
 #[test]
-fn scripts_follow_the_tables_of_inputs() {
+fn python_scripts_interpolate_input_tables() {
     let links = "[links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 260 }\n\
         r4 = { from = \"E\", to = \"C\", length = 240 }\nr5 = { from = \"D\", to = \"E\", length = 80 }\n[start]\nC = [150, 250]\n";
     let five_bar = format!(
@@ -324,7 +324,7 @@ fn scripts_follow_the_tables_of_inputs() {
     }
 }
 
-/// A four-bar with these names, and whether its script finds the places that krank does.
+/// Checks that the script of a four-bar with these names agrees with krank. Returns `false` if Python is missing.
 fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     let [a, b, c, d, r2, r3, r4] = names else {
         panic!("seven names");
@@ -357,10 +357,10 @@ fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     true
 }
 
-/// Scripts of scenes whose elements are called like what a script defines, imports or calls, like keywords, and like
-/// what Python has built in.
+/// Names scene elements like everything that a script defines, imports or calls, like keywords, and
+/// like Python's builtins.
 #[test]
-fn names_of_a_scene_never_hide_those_of_its_script() {
+fn scene_names_do_not_shadow_script_names() {
     let folder = folder("handover-names");
     let frames = ["python", "matlab"].map(|language| {
         let file = format!("{}/src/handover/{language}.txt", env!("CARGO_MANIFEST_DIR"));
@@ -400,7 +400,7 @@ fn names_of_a_scene_never_hide_those_of_its_script() {
     }
     let last = &names[names.len() - 7..];
     agrees_with_names(&folder, last);
-    // A place on a link is called like link and point, unless something else is.
+    // A point on a link is named after link and point, unless that name is taken.
     let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
         r2 = { from = \"A\", to = \"B\", length = 100 }\n\
         r3 = { from = \"B\", to = \"C\", length = 300, points = { P = [150, 40] } }\n\
@@ -424,9 +424,10 @@ fn names_of_a_scene_never_hide_those_of_its_script() {
     }
 }
 
-/// Layers are told apart by 31 characters: more links than that with the same beginning used to hang.
+/// Layer names have 31 characters. Regression test: more links with the same first 31 characters
+/// caused an endless loop.
 #[test]
-fn long_names_of_links_make_layers_of_their_own() {
+fn long_link_names_give_distinct_dxf_layers() {
     let long = "a_link_with_a_very_long_name_of_many_words";
     let text = format!(
         "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"{long}_1\"\nangle = 60\n[links]\n\
@@ -448,7 +449,7 @@ fn long_names_of_links_make_layers_of_their_own() {
 }
 
 #[test]
-fn a_script_reads_as_the_scene_does() {
+fn scripts_use_the_names_and_values_of_the_scene() {
     let script = done(&["export", "four-bar", "--format", "python"]);
     for line in [
         "r3 = 300.0",
@@ -474,9 +475,9 @@ fn a_script_reads_as_the_scene_does() {
     }
 }
 
-/// Used to be dropped without a word.
+/// Regression test: such cells were dropped silently.
 #[test]
-fn a_measurement_that_is_no_number_is_told_with_its_place() {
+fn non_numeric_measurements_are_reported_with_line_and_column() {
     let file = folder("measured-badly").join("run.csv");
     let text = "driver.angle [deg],C.x [mm],C.y [mm]\n10,1,2\n\nx,3,4\n20,\"1,2,3\",5\n30,,6\n";
     std::fs::write(&file, text).unwrap();
@@ -492,7 +493,7 @@ fn a_measurement_that_is_no_number_is_told_with_its_place() {
         ];
         let done = krank(&[&asked[..], &["--format", format]].concat());
         assert_eq!(done.code, 0);
-        // In the text of a page lines are broken.
+        // Text pages wrap their lines.
         (done.out + &done.err)
             .split_whitespace()
             .collect::<Vec<_>>()
@@ -503,18 +504,18 @@ fn a_measurement_that_is_no_number_is_told_with_its_place() {
         let told = told("C.x,C.y", format);
         assert!(told.contains(both), "{told}");
     }
-    // What nobody asked for is not missed.
+    // A bad cell in an unselected column is not reported.
     assert!(told("C.y", "csv").contains("line 4, driver.angle: `x`."));
 }
 
-/// krank's own figures, some of them moved by what a person can add up.
+/// The measurements are krank's own values, two of them shifted by known amounts.
 #[test]
-fn measurements_stand_beside_krank_s_figures() {
+fn measured_columns_follow_computed_columns() {
     let folder = folder("measured");
     let file = folder.join("run.csv");
     let place = |at: &str| table("four-bar", at, "C.x,C.y");
     let (a, b) = (place("10"), place("20"));
-    // In cm, 1 mm more at 10 deg and 3 mm less at 20: the root mean square is the root of (1 + 9) / 2.
+    // In cm, 1 mm more at 10 deg and 3 mm less at 20 deg: the root mean square is sqrt((1 + 9) / 2).
     let text = format!(
         "driver.angle [deg],C.x [cm],C.y [mm]\n10,{},{}\n20,{},{}\n",
         (a[0] + 1.0) / 10.0,
@@ -583,9 +584,9 @@ fn measurements_stand_beside_krank_s_figures() {
     assert!(wrong.contains("remove `--against`"), "{wrong}");
 }
 
-/// Used to be taken: a drawing of 1e300 times the linkage is none.
+/// Regression test: a drawing at 1e300 times the linkage's size was accepted.
 #[test]
-fn a_scale_beyond_all_paper_is_refused() {
+fn scale_out_of_range_is_rejected() {
     for scale in [
         "0:1", "1:0", "-1:2", "nan:1", "inf:1", "1e300:1", "1:1e300", "10001:1", "2",
     ] {
@@ -601,9 +602,9 @@ fn a_scale_beyond_all_paper_is_refused() {
     }
 }
 
-/// The squares of such differences are beyond any double.
+/// The squares of these differences overflow a double.
 #[test]
-fn differences_of_any_size_have_a_root_mean_square() {
+fn root_mean_square_of_huge_differences_does_not_overflow() {
     let file = folder("against-far").join("far.csv");
     std::fs::write(
         &file,

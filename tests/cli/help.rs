@@ -1,11 +1,11 @@
-//! `krank help`: every topic is there, reads well where it is shown, and tells what krank does.
+//! Tests of `krank help`: every topic exists, is readable plain text and agrees with the program.
 
 use super::{command, done, presets, refused, run};
 use std::collections::BTreeSet;
 
 const README: &str = include_str!("../../README.md");
 
-/// The names under a heading of the contents.
+/// Returns the names listed under a heading of the contents.
 fn listed(heading: &str) -> Vec<String> {
     let contents = done(&["help"]);
     let behind = contents
@@ -23,13 +23,13 @@ fn topics() -> Vec<String> {
     topics
 }
 
-/// A topic as it is shown.
+/// Returns a topic as printed.
 fn topic(name: &str) -> String {
     done(&["help", name])
 }
 
 #[test]
-fn topics_and_commands_are_listed() {
+fn contents_list_topics_and_commands() {
     let commands = listed("Commands");
     assert!(commands.contains(&"sweep".into()), "{commands:?}");
     for command in &commands {
@@ -38,13 +38,13 @@ fn topics_and_commands_are_listed() {
             "{command}"
         );
     }
-    // A topic with the name of a command would hide its help.
+    // A topic with the name of a command would hide the command's help.
     assert!(topics().iter().all(|topic| !commands.contains(topic)));
 }
 
-/// In a pipe there is no pager and no escape, and lines end within 80 columns unless they stand as they are.
+/// In a pipe, `help` prints ASCII without escapes and starts no pager.
 #[test]
-fn topics_are_plain_text_in_a_pipe() {
+fn topics_are_plain_text_without_pager_in_a_pipe() {
     for name in topics() {
         let text = topic(&name);
         assert!(text.is_ascii() && !text.contains('\x1b'), "{name}");
@@ -60,7 +60,7 @@ fn topics_are_plain_text_in_a_pipe() {
 }
 
 #[test]
-fn a_topic_that_is_not_there_is_told_with_those_that_are() {
+fn unknown_topic_lists_available_topics() {
     for (word, near) in [
         ("sceen", "did you mean `scene`?"),
         ("swep", "did you mean `sweep`?"),
@@ -81,7 +81,7 @@ fn a_topic_that_is_not_there_is_told_with_those_that_are() {
 }
 
 #[test]
-fn a_word_without_topic_is_searched() {
+fn unknown_word_is_searched_in_all_topics() {
     let found = done(&["help", "sensitivity"]);
     for part in [
         "no topic or command is named `sensitivity`; it occurs in:\n",
@@ -104,7 +104,7 @@ fn a_word_without_topic_is_searched() {
 
 #[cfg(feature = "tui")]
 #[test]
-fn keys_are_found_by_name_and_purpose() {
+fn search_finds_keys_by_name_and_purpose() {
     for (word, row) in [("undo", "`u`"), ("revert", "`u`"), ("Ctrl-R", "`Ctrl-R`")] {
         let found = done(&["help", word]);
         let (_, keys) = found.split_once("\nKeys of the workbench").unwrap();
@@ -112,9 +112,9 @@ fn keys_are_found_by_name_and_purpose() {
     }
 }
 
-/// Whatever tells to ask for help tells of a topic or a command that there is.
+/// Every `krank help WORD` in the README and in the topics names an existing topic or command.
 #[test]
-fn every_topic_that_is_named_is_there() {
+fn every_mentioned_topic_exists() {
     let names = topics();
     let commands = listed("Commands");
     let mut texts = vec![README.to_owned(), done(&["--help"])];
@@ -132,7 +132,7 @@ fn every_topic_that_is_named_is_there() {
     }
     assert!(asked.len() > 4, "{asked:?}");
     for word in asked {
-        // The example of a word that is searched.
+        // This word is the example of a text search.
         let is_there = word == "transmission" || names.contains(&word) || commands.contains(&word);
         assert!(is_there, "{word}");
     }
@@ -142,9 +142,9 @@ fn every_topic_that_is_named_is_there() {
     }
 }
 
-/// The program itself tells which keys it knows, by the faults of scenes that have others.
+/// The known keys come from the program's own messages about unknown keys.
 #[test]
-fn every_key_of_a_scene_is_told() {
+fn scene_topic_documents_every_key() {
     let shown = topic("scene");
     let group = |title: &str| -> Vec<&str> {
         let lines = shown.lines();
@@ -192,7 +192,7 @@ fn every_key_of_a_scene_is_told() {
         let (_, known) = fault.split_once("known keys: ").unwrap();
         let known = known.lines().next().unwrap();
         for key in known.split(", ") {
-            // The tables of the scene have rows of their own.
+            // The tables of the scene have their own rows.
             let table = key.trim_matches('`');
             let rows = [format!("`[{table}]`"), format!("`[[{table}]]`")];
             let is_told = group(title).iter().any(|line| line.contains(key))
@@ -206,9 +206,9 @@ fn every_key_of_a_scene_is_told() {
     assert!(told > 40, "{told}");
 }
 
-/// Every kind of column that a preset has, told by what stands behind its last names.
+/// Compares the last components of all preset column names with the topic.
 #[test]
-fn every_column_is_told() {
+fn columns_topic_documents_every_preset_column() {
     let shown = topic("columns");
     let mut kinds = BTreeSet::new();
     for preset in presets() {
@@ -216,7 +216,7 @@ fn every_column_is_told() {
         let header = header.lines().next().unwrap().to_owned();
         for name in header.split(',') {
             let last = name.rsplit('.').next().unwrap();
-            // The shares are told behind the whole.
+            // Shares such as `load` are documented after their total.
             kinds.insert(last.to_owned());
         }
     }
@@ -227,9 +227,9 @@ fn every_column_is_told() {
     }
 }
 
-/// Of each option of a sweep and of a table that adds columns is told what they are called.
+/// The topic names each option that adds columns, and how these columns are called.
 #[test]
-fn columns_of_errors_are_told() {
+fn columns_topic_documents_error_columns() {
     let shown = topic("columns");
     let columns = ["--columns", "C.x,r4.omega", "--bounds", "--sensitivity"];
     let header = done(&[&["sweep", "four-bar"], &columns[..]].concat());
@@ -250,10 +250,10 @@ fn columns_of_errors_are_told() {
     assert!(shown.contains("`C.x.bound`") && shown.contains("`C.x.sensitivity`"));
 }
 
-/// What the topics show of output is what is printed.
+/// Output quoted in the topics is what the program prints.
 #[test]
-fn what_is_shown_is_what_is_done() {
-    // However far it is indented.
+fn scene_topic_shows_actual_check_output() {
+    // Ignores indentation.
     let flush = |text: &str| -> String {
         let lines = text.lines().map(|line| line.trim().to_owned() + "\n");
         lines.collect()

@@ -1,4 +1,4 @@
-//! Turkish: who chooses it, what it says, what stays, and what a spreadsheet reads.
+//! Tests of Turkish: selection of the language, translations, unchanged machine formats and decimal commas.
 
 use super::{Run, command, done, folder, presets, refused, rows, run};
 use assert_cmd::Command;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 const UTF8: [(&str, &str); 2] = [("LC_ALL", "C.UTF-8"), ("TERM", "xterm-256color")];
 
-/// krank in an environment that is told whole.
+/// Runs krank with exactly these environment variables.
 fn krank_in(env: &[(&str, &str)], args: &[&str]) -> Run {
     let mut krank = Command::new(env!("CARGO_BIN_EXE_krank"));
     let home = ("HOME", "/dev/null/home");
@@ -17,7 +17,7 @@ fn krank_in(env: &[(&str, &str)], args: &[&str]) -> Run {
         .args(args))
 }
 
-/// What it prints in Turkish where all letters can be shown.
+/// Returns the output in Turkish in a UTF-8 locale.
 fn turkish(args: &[&str]) -> String {
     let args = [args, &["--language", "tr"]].concat();
     let Run { code, out, err } = krank_in(&UTF8, &args);
@@ -25,14 +25,14 @@ fn turkish(args: &[&str]) -> String {
     out
 }
 
-/// What it says in a language where all letters can be shown, in this folder.
+/// Runs krank with a language in this folder, in a UTF-8 locale.
 pub(super) fn spoken(language: &str, here: &Path, args: &[&str]) -> Run {
     let mut krank = Command::new(env!("CARGO_BIN_EXE_krank"));
     let krank = krank.env_clear().envs(UTF8).current_dir(here);
     run(krank.args(args).args(["--language", language]))
 }
 
-/// Words of English that have no place on a Turkish screen; names of columns and units are others.
+/// English words that must not occur on a Turkish screen. Names of columns and units are not among them.
 const ENGLISH: [&str; 12] = [
     "velocity", "position", "vector", "point", "step", "turn", "play", "quit", "help", "Motion",
     "Tables", "found",
@@ -46,7 +46,7 @@ fn is_turkish(screen: &str) {
 }
 
 #[test]
-fn the_tables_have_the_words_of_the_notes() {
+fn turkish_tables_use_the_terms_of_the_lecture_notes() {
     let table = turkish(&["table", "four-bar", "--at", "60"]);
     for said in [
         "\nKonum ",
@@ -59,7 +59,7 @@ fn the_tables_have_the_words_of_the_notes() {
         assert!(table.contains(said), "{said}\n{table}");
     }
     is_turkish(&table);
-    // What a scene and a column call so is a word here.
+    // Terms that are keys in scenes and columns are translated in prose.
     for (args, gone) in [
         (
             &["table", "four-bar-load"][..],
@@ -70,7 +70,7 @@ fn the_tables_have_the_words_of_the_notes() {
         (&["list"], &["load", "press", "leg", "Kite"]),
     ] {
         let told = turkish(args);
-        // Names of presets are typed.
+        // Names of presets are typed by the user and stay English.
         let told = told.lines().map(|line| match args {
             ["list"] => line.split_once("  ").map_or(line, |(_, title)| title),
             _ => line,
@@ -83,7 +83,7 @@ fn the_tables_have_the_words_of_the_notes() {
             assert!(!words.any(|it| it == *word), "{args:?}: {word}");
         }
     }
-    // The figures are the same.
+    // The values are the same.
     let figures = |text: &str| -> Vec<String> {
         let words = text
             .split_whitespace()
@@ -100,7 +100,7 @@ fn the_tables_have_the_words_of_the_notes() {
 }
 
 #[test]
-fn the_option_the_configuration_and_the_locale_choose_in_this_order() {
+fn language_comes_from_option_then_configuration_then_locale() {
     let spoken = |env: &[(&str, &str)], args: &[&str]| -> &str {
         let Run { out, .. } = krank_in(env, &[&["check", "four-bar"], args].concat());
         match out.contains("serbestlik") {
@@ -126,13 +126,13 @@ fn the_option_the_configuration_and_the_locale_choose_in_this_order() {
     let configured = ("XDG_CONFIG_HOME", home.to_str().unwrap());
     assert_eq!(spoken(&[configured, ("LANG", "en_GB.UTF-8")], &[]), "tr");
     assert_eq!(spoken(&[configured], &["--language", "en"]), "en");
-    // Before a command it would make a scene of the command's name.
+    // With an option first, the name of the command must not be taken for a scene.
     let first = krank_in(&[], &["--language", "tr", "check", "four-bar"]);
     assert!(first.out.contains("serbestlik"), "{}", first.err);
 }
 
 #[test]
-fn columns_keys_and_exit_codes_are_the_same_in_both() {
+fn columns_keys_and_exit_codes_do_not_depend_on_language() {
     for scene in ["four-bar-load", "press-ram", "jansen-leg"] {
         for args in [
             &["table", scene, "--format", "csv"][..],
@@ -161,7 +161,7 @@ fn columns_keys_and_exit_codes_are_the_same_in_both() {
 }
 
 #[test]
-fn where_letters_are_missing_they_are_spelled_and_never_marked() {
+fn turkish_is_transliterated_in_ascii_locale() {
     for preset in presets() {
         for args in [
             &["table", &preset][..],
@@ -171,7 +171,7 @@ fn where_letters_are_missing_they_are_spelled_and_never_marked() {
             let args = [args, &["--language", "tr"]].concat();
             let Run { out, err, .. } = run(&mut command(&args));
             assert!(out.is_ascii() && err.is_ascii(), "{args:?}");
-            // An unknown of the working is `?` in both languages.
+            // An unknown in the working is `?` in both languages.
             let english = done(&args[..2]);
             assert_eq!(
                 out.matches('?').count(),
@@ -200,9 +200,9 @@ fn where_letters_are_missing_they_are_spelled_and_never_marked() {
     }
 }
 
-/// The manual's topics are listed with the names that they have in Turkish, and answer to both.
+/// Contents list the topics by their Turkish names; both names show the topic.
 #[test]
-fn the_manual_is_turkish() {
+fn manual_is_turkish_and_topics_have_names_in_both_languages() {
     let contents = turkish(&["help"]);
     let listed = contents.lines().filter_map(|line| {
         let (about, name) = line.strip_suffix(')')?.rsplit_once(" (")?;
@@ -223,7 +223,7 @@ fn the_manual_is_turkish() {
     }
     assert!(turkish(&["help", "sahne"]).contains("\n`name`"));
     assert!(turkish(&["help", "SUTUNLAR"]).starts_with("Sütunlar ve adları\n"));
-    // A word that occurs in the other language only shows the page of that language.
+    // A word that occurs in only one language shows the results of that language.
     let found = turkish(&["help", "mafsal"]);
     assert!(found.contains("\nKonular: krank help TOPIC\n"), "{found}");
     let english = krank_in(&UTF8, &["help", "mafsal"]);
@@ -232,7 +232,7 @@ fn the_manual_is_turkish() {
     assert!(found.contains("\nKonular: "), "{found}");
     let found = turkish(&["help", "OLU KONUM"]).to_lowercase();
     assert!(found.contains("ölü konum"), "{found}");
-    // What is nearly one of them is told so.
+    // A misspelled topic gets a suggestion.
     let near = krank_in(&UTF8, &["help", "sahna", "--language", "tr"]);
     assert!(
         near.code == 2 && near.err.contains("`sahne`"),
@@ -243,7 +243,7 @@ fn the_manual_is_turkish() {
 
 #[cfg(feature = "tui")]
 #[test]
-fn the_screen_of_the_four_bar_is_turkish_with_all_letters_and_without() {
+fn four_bar_screen_is_turkish_in_utf8_and_ascii() {
     let large = turkish(&["four-bar", "--print", "--size", "80x24"]);
     insta::assert_snapshot!("turkish-80x24", large);
     is_turkish(&large);
@@ -275,7 +275,7 @@ fn every_view_is_turkish() {
             let args = ["four-bar-load", "--view", view, "--print", "--size", size];
             let screen = turkish(&args);
             is_turkish(&screen);
-            // The tab that is looked at is whole, and the last one too.
+            // The current tab and the last tab are not cut off.
             let tabs = screen.lines().next().unwrap();
             assert!(
                 tabs.matches('[').count() == tabs.matches(']').count(),
@@ -286,7 +286,7 @@ fn every_view_is_turkish() {
 }
 
 #[test]
-fn a_spreadsheet_reads_decimals_with_a_comma() {
+fn csv_with_decimal_comma_has_the_same_values() {
     let plain = [
         "sweep",
         "four-bar",
@@ -321,7 +321,7 @@ fn a_spreadsheet_reads_decimals_with_a_comma() {
 }
 
 #[test]
-fn a_comma_is_never_both_and_csv_alone_has_dialects() {
+fn conflicting_decimal_and_separator_are_rejected() {
     let both = [
         "sweep",
         "four-bar",
@@ -337,7 +337,7 @@ fn a_comma_is_never_both_and_csv_alone_has_dialects() {
 }
 
 #[test]
-fn a_speed_may_have_a_comma() {
+fn speed_accepts_decimal_comma() {
     let scene = done(&["start", "four-bar"]);
     assert!(scene.contains("speed = \"15 rad/s\""), "{scene}");
     let file = folder("decimal-comma").join("comma.toml");
@@ -355,14 +355,14 @@ fn a_speed_may_have_a_comma() {
     assert!(ambiguous.err.contains("1234,5"), "{}", ambiguous.err);
 }
 
-/// Words of English in faults of a scene; none is a word of Turkish, a key of a scene or a name in the files.
+/// English words in scene errors. None is a Turkish word, a key of a scene or a name in the files.
 const OF_FAULTS: [&str; 27] = [
     "the", "of", "and", "with", "is", "are", "has", "have", "must", "cannot", "neither", "both",
     "only", "which", "this", "that", "these", "give", "write", "take", "name", "found", "known",
     "unknown", "reserved", "negative", "expected",
 ];
 
-/// What a report says beside what is quoted: no lines of the file, no place, no example of TOML.
+/// Returns the prose of a report: without source lines, places and TOML examples.
 fn said(report: &str) -> Vec<String> {
     let mut said = Vec::new();
     for line in report.lines() {
@@ -384,14 +384,14 @@ fn said(report: &str) -> Vec<String> {
     said
 }
 
-/// Letters alone, as many as make a word.
+/// Returns the words of at least two letters.
 fn words_of(text: &str) -> Vec<&str> {
     let words = text.split(|c: char| !c.is_alphabetic());
     words.filter(|word| word.len() > 1).collect()
 }
 
 #[test]
-fn every_fault_of_a_scene_is_told_in_turkish() {
+fn every_scene_error_is_translated() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/broken");
     let mut faults = Vec::new();
     let mut files = 0;
@@ -401,7 +401,7 @@ fn every_fault_of_a_scene_is_told_in_turkish() {
         let english = refused(2, &["check", name]);
         let turkish = refused(2, &["check", name, "--language", "tr"]);
         files += 1;
-        // The same places and the same lines of the file.
+        // Both languages report the same places in the file.
         let kept = |report: &str| -> Vec<String> {
             let lines = report.lines().filter(|line| line.contains("-->"));
             lines.map(|line| line.trim().to_owned()).collect()
@@ -422,15 +422,15 @@ fn every_fault_of_a_scene_is_told_in_turkish() {
 }
 
 #[test]
-fn the_comparison_finds_english() {
+fn prose_of_a_report_excludes_code_and_places() {
     let report = "hata: kotu\n --> a.toml:3:1\n  |\n3 | the = 1\n  |  ^^ is bad `the`\n  = yardim: the rule\n";
     assert_eq!(said(report), ["kotu", "", "is bad  ", "the rule"]);
     assert_eq!(words_of("is bad, 3 `x"), ["is", "bad"]);
 }
 
-/// As people of half the world write it; in the workbench and in scenes too.
+/// Many locales write decimal commas; options, the workbench and scenes accept them.
 #[test]
-fn a_place_may_have_a_comma() {
+fn coordinates_accept_decimal_comma() {
     let alike = |args: &[&str]| {
         let typed: Vec<String> = args.iter().map(|it| (*it).to_owned()).collect();
         let point: Vec<String> = args.iter().map(|it| it.replace(',', ".")).collect();

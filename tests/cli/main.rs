@@ -1,4 +1,4 @@
-//! The program from outside: every command, every exit code, and what stands on which stream.
+//! Tests of the command line program: every command, every exit code, and the output on each stream.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod accuracy;
@@ -40,7 +40,7 @@ mod web;
 use assert_cmd::Command;
 use std::path::{Path, PathBuf};
 
-/// Three parallel cranks: mobile, though one constraint repeats another.
+/// Three parallel cranks: a mobile linkage with one redundant constraint.
 const PARALLEL_CRANKS: &str = r#"
 name = "Three parallel cranks"
 unit = "m"
@@ -66,14 +66,14 @@ on_crank = ["A", "B"]
 on_ground = ["A", "G"]
 "#;
 
-/// What a run of the program left behind.
+/// The exit code and the output of a run.
 struct Run {
     code: i32,
     out: String,
     err: String,
 }
 
-/// Runs krank in a plain environment: no locale, no terminal.
+/// Runs krank in a minimal environment without locale and terminal.
 fn krank(args: &[&str]) -> Run {
     run(&mut command(args))
 }
@@ -81,7 +81,7 @@ fn krank(args: &[&str]) -> Run {
 fn command(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
     command.env_clear().env("LC_ALL", "C").args(args);
-    // Nobody's configuration, and nowhere to leave anything.
+    // There is no configuration to read, and no place to write state.
     command.env("HOME", "/dev/null/home");
     command
 }
@@ -98,14 +98,14 @@ fn run(command: &mut Command) -> Run {
     }
 }
 
-/// Runs what must succeed without a word on standard error, and gives its results.
+/// Runs krank, checks that it succeeds with an empty standard error, and returns its output.
 fn done(args: &[&str]) -> String {
     let Run { code, out, err } = krank(args);
     assert_eq!((code, err.as_str()), (0, ""), "krank {args:?}");
     out
 }
 
-/// Runs what must fail with this code, without results, and gives the message.
+/// Runs krank, checks the exit code and the empty standard output, and returns the ASCII message.
 fn refused(code: i32, args: &[&str]) -> String {
     let run = krank(args);
     assert_eq!(run.code, code, "krank {args:?}: {}", run.err);
@@ -118,7 +118,7 @@ fn json(text: &str) -> serde_json::Value {
     serde_json::from_str(text).unwrap()
 }
 
-/// A folder of its own for a test's files.
+/// Creates a folder for the files of a test and returns its path.
 fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(test);
     std::fs::create_dir_all(&folder).unwrap();
@@ -130,7 +130,7 @@ fn presets() -> Vec<String> {
     done(&["list"]).lines().map(first).collect()
 }
 
-/// Cells of a CSV text, without its header.
+/// Returns the cells of a CSV text without its header.
 fn rows(csv: &str) -> Vec<Vec<String>> {
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let cells = |row: csv::StringRecord| row.iter().map(str::to_owned).collect();
@@ -162,7 +162,7 @@ fn help_has_an_example_for_each_command() {
         "completions",
         "man",
     ] {
-        // It configures the workbench.
+        // `config` exists only in builds with the workbench.
         if command == "config" && cfg!(not(feature = "tui")) {
             continue;
         }
@@ -176,7 +176,7 @@ fn help_has_an_example_for_each_command() {
 }
 
 #[test]
-fn version_is_that_of_the_package() {
+fn version_matches_the_package() {
     assert_eq!(
         done(&["--version"]),
         concat!("krank ", env!("CARGO_PKG_VERSION"), "\n")
@@ -184,7 +184,7 @@ fn version_is_that_of_the_package() {
 }
 
 #[test]
-fn the_long_version_names_features_target_profile_and_licence() {
+fn long_version_lists_features_target_profile_and_licence() {
     for args in [
         &["--version", "--long"][..],
         &["--long", "--version"],
@@ -222,7 +222,7 @@ fn every_preset_checks_prints_and_sweeps() {
             "{preset}"
         );
         let csv = done(&["sweep", preset]);
-        // A suspension goes through 30 degrees between its stops.
+        // A suspension moves through 30 degrees between its stops.
         assert!(rows(&csv).len() > 30, "{preset}");
         for cell in csv.split([',', '\n']) {
             let bad = ["nan", "inf", "-0"].contains(&cell.to_lowercase().as_str());
@@ -232,7 +232,7 @@ fn every_preset_checks_prints_and_sweeps() {
 }
 
 #[test]
-fn unknown_options_and_values_are_refused() {
+fn unknown_options_and_values_are_rejected() {
     for (args, phrase) in [
         (&["sweep"][..], "<SCENE>"),
         (&["check", "four-bar", "--format", "csv"], "--format"),
@@ -249,9 +249,9 @@ fn unknown_options_and_values_are_refused() {
     }
 }
 
-/// `krank chek four-bar` is read as two scenes, and used to be refused for the wrong word.
+/// Regression test: `krank chek four-bar` is parsed as two scenes, and the message named the wrong word.
 #[test]
-fn a_word_too_much_is_told_from_a_mistyped_command() {
+fn mistyped_command_and_extra_argument_give_different_errors() {
     for (args, message) in [
         (
             &["chek", "four-bar"][..],
@@ -273,12 +273,12 @@ fn a_word_too_much_is_told_from_a_mistyped_command() {
 }
 
 #[test]
-fn help_is_a_command_too() {
+fn help_command_equals_help_option() {
     assert_eq!(done(&["help", "sweep"]), done(&["sweep", "--help"]));
 }
 
 #[test]
-fn completions_and_the_manual_are_written() {
+fn completions_list_presets_and_man_pages_print() {
     for shell in ["bash", "elvish", "fish", "nushell", "powershell", "zsh"] {
         assert!(done(&["completions", shell]).contains("sweep"), "{shell}");
     }
@@ -301,9 +301,9 @@ fn completions_and_the_manual_are_written() {
     assert!(done(&["man", "sweep"]).contains(".TH krank-sweep 1"));
 }
 
-/// The workbench needs a terminal, and says which commands do not.
+/// The message names a command that works without a terminal.
 #[test]
-fn the_workbench_is_refused_in_one_line_where_there_is_no_terminal() {
+fn workbench_without_terminal_fails_with_one_line() {
     for args in [&[][..], &["slider-crank"]] {
         let message = refused(2, args);
         assert_eq!(message.lines().count(), 1, "{message}");

@@ -1,4 +1,4 @@
-//! Every command of the manual runs, and every scene in it opens, in both languages.
+//! Tests that every command of the manual runs and every scene in it opens, in both languages.
 
 use super::language::spoken;
 use super::readme::QUICK;
@@ -7,13 +7,13 @@ use super::{command, done, folder, run};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Chapters whose indented commands have tests of their own: they need the files of the chapter.
+/// Chapters whose indented commands have their own tests, since they need the files of the chapter.
 const TESTED: [&str; 2] = ["synthesis.md", "tutorial.md"];
 
-/// Takes a minute in a debug build; `tolerances.md` has shorter ones.
+/// This command takes a minute in a debug build; `tolerances.md` has shorter ones.
 const SLOW: &str = "tolerance SCENE --tolerance 0.1";
 
-/// Stand-ins for the words of the manual that are no arguments.
+/// Arguments that replace placeholders of the manual.
 const REPLACED: [(&str, &str); 8] = [
     ("SCENE", "four-bar-load"),
     ("TASK", "hatch"),
@@ -25,7 +25,7 @@ const REPLACED: [(&str, &str); 8] = [
     ("answered/*.csv", "answered/four-bar-7.csv"),
 ];
 
-/// The name and the text of each chapter in a language.
+/// Returns name and text of each chapter in a language.
 pub(super) fn chapters(language: &str) -> Vec<(String, String)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let files = fs::read_dir(root.join("src/manual").join(language)).unwrap();
@@ -41,7 +41,7 @@ pub(super) fn chapters(language: &str) -> Vec<(String, String)> {
     chapters
 }
 
-/// The commands of a chapter that stand by themselves, and those in a sentence that name a scene or a task.
+/// Returns the commands of a chapter in blocks, and those in sentences that name a scene or a task.
 fn commands(name: &str, text: &str) -> Vec<String> {
     let lines = text.lines();
     let indented = lines.filter_map(|line| line.strip_prefix("    krank "));
@@ -63,7 +63,7 @@ fn commands(name: &str, text: &str) -> Vec<String> {
         .collect()
 }
 
-/// A new folder with the files that commands of the manual read.
+/// Creates a folder with the files that commands of the manual read.
 fn prepared(name: &str) -> PathBuf {
     let here = folder(&format!("manual-{name}"));
     fs::remove_dir_all(&here).unwrap();
@@ -80,7 +80,7 @@ fn prepared(name: &str) -> PathBuf {
     here
 }
 
-/// The Turkish chapters have the same code: a test of the manual compares them.
+/// Only the English chapters are run: a test of the manual compares the code of the Turkish ones.
 #[test]
 fn every_command_of_the_manual_runs() {
     let mut ran = 0;
@@ -118,15 +118,15 @@ const R3: (&str, &str) = (
 const R4: (&str, &str) = ("[links]", "r4 = { from = 'D', to = 'C', length = 250 }");
 const START: (&str, &str) = ("[start]", "C = [310, 230]");
 
-/// A topic, a line of its part, and what the part needs beside it.
+/// A chapter, a piece of its part, and the lines that complete the part.
 type Part = (
     &'static str,
     &'static str,
     &'static [(&'static str, &'static str)],
 );
 
-/// The parts of scenes that the manual shows: the chapter, a piece that only this part has, and the lines that
-/// complete it, below their headings.
+/// The partial scenes in the manual: the chapter, a piece that only this part contains, and the
+/// lines that complete it, below their headings.
 const PARTS: [Part; 9] = [
     (
         "scene.md",
@@ -256,7 +256,7 @@ const PARTS: [Part; 9] = [
     ),
 ];
 
-/// The blocks of TOML in a chapter, those within items of lists too.
+/// Returns the TOML blocks in a chapter, including those within list items.
 fn blocks(text: &str) -> Vec<String> {
     let mut blocks = Vec::new();
     let mut lines = text.lines();
@@ -271,7 +271,7 @@ fn blocks(text: &str) -> Vec<String> {
     blocks
 }
 
-/// A part of a scene with each of these lines below its heading.
+/// Completes a part of a scene with each of these lines below its heading.
 fn completed(part: &str, lines: &[(&str, &str)]) -> String {
     let mut scene = format!("\n{part}");
     for (heading, line) in lines {
@@ -300,7 +300,7 @@ fn every_scene_of_the_manual_opens() {
     for (folder, language) in [("english", "en"), ("turkish", "tr")] {
         let mut opened = 0;
         for (name, text) in chapters(folder) {
-            // Their own tests read the steps of the tutorial, and the configuration.
+            // The tutorial's steps and the configuration have their own tests.
             if ["tutorial.md", "keys.md"].contains(&name.as_str()) {
                 continue;
             }

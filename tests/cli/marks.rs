@@ -1,4 +1,4 @@
-//! `[marks]`: points that are only shown. They stand in drawings, and in no table and no count.
+//! Tests of `[marks]`: points that appear in drawings, but in no table and no count.
 
 use super::{done, folder, refused};
 use std::fs;
@@ -30,13 +30,13 @@ fn scene(name: &str, text: &str) -> String {
 }
 
 #[test]
-fn marks_are_drawn_and_stand_in_no_table() {
+fn marks_are_drawn_but_not_listed_in_tables() {
     let marked = scene("marked.toml", MARKED);
     let bare = MARKED.replace("[marks]\nT1 = [10, 30]\nT2 = [\"10 + 5\", 35]\n", "");
     let bare = scene("bare.toml", &bare);
     let drawn = done(&["draw", &marked]);
     assert!(drawn.contains("T1") && drawn.contains("T2"), "{drawn}");
-    // Whatever is worked out is what it is without them.
+    // All results are the same without the marks.
     for args in [
         &["check"][..],
         &["table", "--at", "60"],
@@ -52,13 +52,13 @@ fn marks_are_drawn_and_stand_in_no_table() {
         assert!(!told.contains("T1"), "{args:?}\n{told}");
         assert_eq!(told, of(&bare), "{args:?}");
     }
-    // Who asks for one gets it.
+    // A mark can be named as a column.
     let column = done(&["sweep", &marked, "--step", "180", "--columns", "T2.x"]);
     assert!(column.lines().nth(1).unwrap().contains(",15,"), "{column}");
 }
 
 #[test]
-fn a_mark_has_a_name_of_its_own() {
+fn invalid_marks_are_rejected() {
     let twice = scene("twice.toml", &MARKED.replace("T2 =", "A ="));
     let message = refused(2, &["check", &twice]);
     assert!(message.contains("`A`"), "{message}");

@@ -1,22 +1,22 @@
-//! `explain --method`: iterations, halvings and a drawing, and what is said of a guess that is none.
+//! Tests of `explain --method`: iterations, halvings, drawings and invalid guesses.
 
 use super::{command, done, folder, krank, refused, run};
 
-/// The table below its head, as cells.
+/// Returns the cells of the table below a heading.
 fn table(text: &str, head: &str) -> Vec<Vec<String>> {
     let lines = text
         .lines()
         .skip_while(|line| !line.trim_start().starts_with(head));
     let rows = lines.skip(1).take_while(|line| !line.trim().is_empty());
-    // Units below the names.
+    // Skips the row of units below the names.
     let rows = rows.filter(|row| !row.trim_start().starts_with("deg"));
     rows.map(|row| row.split_whitespace().map(str::to_owned).collect())
         .collect()
 }
 
-/// The values were worked out apart from krank, by Cramer's rule on the two equations written out, in Python.
+/// Reference values were computed independently in Python: Cramer's rule on the two equations.
 #[test]
-fn newtons_table_of_the_lectures_four_bar_is_right_line_by_line() {
+fn newton_table_matches_independent_iteration() {
     let text = done(&[
         "explain",
         "four-bar",
@@ -47,7 +47,7 @@ fn newtons_table_of_the_lectures_four_bar_is_right_line_by_line() {
 }
 
 #[test]
-fn what_becomes_of_a_bad_guess_is_named() {
+fn outcome_of_a_bad_guess_is_explained() {
     for (guess, end) in [
         ("r3=-60,r4=40", "to another assembly"),
         ("r3=20,r4=200", "It ends after 0 steps: J is singular there"),
@@ -59,7 +59,7 @@ fn what_becomes_of_a_bad_guess_is_named() {
         ]);
         assert!(text.contains(end), "{guess}: {text}");
     }
-    // At a dead point each step halves the error, and no more.
+    // At a dead point each step only halves the error.
     let check = done(&["check", "double-rocker", "--format", "json"]);
     let place = super::json(&check)["dead_points"][0].as_f64().unwrap();
     let at = place.to_string();
@@ -74,9 +74,10 @@ fn what_becomes_of_a_bad_guess_is_named() {
     assert!(text.contains("at a dead point J is singular at"), "{text}");
 }
 
-/// f(theta3) = (350 - 300 cos)^2 + (-86.6025 - 300 sin)^2 - 250^2 at the middles, worked out in Python.
+/// Reference values of f(theta3) = (350 - 300 cos)^2 + (-86.6025 - 300 sin)^2 - 250^2 at the
+/// midpoints were computed in Python.
 #[test]
-fn halvings_keep_the_half_in_which_the_sign_changes() {
+fn bisection_keeps_the_half_with_the_sign_change() {
     let guess = ["explain", "four-bar", "--method", "bisection", "--guess"];
     let text = done(&[&guess[..], &["r3=0..90"]].concat());
     let rows = table(&text, "k  a");
@@ -109,7 +110,7 @@ fn halvings_keep_the_half_in_which_the_sign_changes() {
 }
 
 #[test]
-fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
+fn graphical_method_prints_scale_and_reading_accuracy() {
     let text = done(&["explain", "four-bar", "--method", "graphical"]);
     for piece in [
         "an A4 sheet at 1:2.",
@@ -118,7 +119,7 @@ fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
     ] {
         assert!(text.contains(piece), "{piece}: {text}");
     }
-    // Crossing of the circles by the cosine theorem, m^2 = 130000: 180 - beta - gamma = 81.37 deg.
+    // By the law of cosines with m^2 = 130000, the circles cross at 180 - beta - gamma = 81.37 deg.
     assert!(
         text.contains("They cross at 81.4 deg, so C is known to 0.4 mm."),
         "{text}"
@@ -129,7 +130,7 @@ fn a_drawing_is_told_with_its_scale_and_what_can_be_read_off() {
 }
 
 #[test]
-fn groups_that_seek_more_at_once_say_why_not() {
+fn coupled_groups_explain_unavailable_methods() {
     for (method, why) in [
         ("bisection", "Not by bisection: it has 4 coupled unknowns"),
         (
@@ -144,7 +145,7 @@ fn groups_that_seek_more_at_once_say_why_not() {
 }
 
 #[test]
-fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
+fn invalid_guesses_are_rejected_with_a_fix() {
     let of = |scene: &str, method: &str, guess: &str| {
         refused(2, &["explain", scene, "--method", method, "--guess", guess])
     };
@@ -202,9 +203,9 @@ fn a_guess_that_is_none_is_refused_with_what_would_mend_it() {
     );
 }
 
-/// Every preset by every method: no line is too long, none is empty at its end, and the closed form is as it was.
+/// Lines have at most 80 columns and no trailing spaces, and `closed` equals the default.
 #[test]
-fn every_preset_is_worked_by_every_method() {
+fn every_method_explains_every_preset() {
     for name in super::presets() {
         for method in ["newton", "bisection", "graphical"] {
             let text = done(&["explain", &name, "--method", method]);
@@ -222,7 +223,7 @@ fn every_preset_is_worked_by_every_method() {
 }
 
 #[test]
-fn outside_the_motion_nothing_is_found_and_the_code_is_1() {
+fn position_outside_motion_exits_with_1() {
     for method in ["newton", "bisection", "graphical"] {
         let heard = krank(&[
             "explain",
@@ -243,7 +244,7 @@ fn outside_the_motion_nothing_is_found_and_the_code_is_1() {
 }
 
 #[test]
-fn markdown_has_the_chart_between_fences() {
+fn markdown_has_tables_and_a_fenced_chart() {
     let file = folder("methods").join("newton.md");
     let path = file.to_str().unwrap();
     let mut args = command(&[

@@ -1,4 +1,4 @@
-//! `krank motor`: the figures in three forms, what is refused, and what is said where nothing acts.
+//! Tests of `krank motor`: values in three formats, rejected arguments, and scenes without loads.
 
 use super::{done, json, krank, presets, refused, rows};
 use std::f64::consts::PI;
@@ -9,7 +9,7 @@ fn near(value: &serde_json::Value, exact: f64, most: f64) {
 }
 
 #[test]
-fn the_text_fits_a_page_and_says_what_is_asked() {
+fn text_fits_80_columns_and_has_all_sections() {
     let text = done(&["motor", "four-bar-load"]);
     assert!(
         text.is_ascii() && text.lines().all(|line| line.len() <= 80),
@@ -30,7 +30,7 @@ fn the_text_fits_a_page_and_says_what_is_asked() {
 }
 
 #[test]
-fn every_preset_is_studied_or_says_that_nothing_acts() {
+fn every_preset_is_evaluated_or_reports_missing_loads() {
     for preset in presets() {
         let heard = krank(&["motor", &preset]);
         assert!(heard.out.is_ascii(), "{}", heard.out);
@@ -59,7 +59,7 @@ fn every_preset_is_studied_or_says_that_nothing_acts() {
 }
 
 #[test]
-fn json_balances_its_energies() {
+fn json_energies_balance() {
     for preset in ["four-bar-load", "engine", "press-ram", "toggle-press"] {
         let found = json(&done(&["motor", preset, "--format", "json"]));
         let torque = &found["torque"];
@@ -85,9 +85,9 @@ fn json_balances_its_energies() {
     }
 }
 
-/// The work that a press does is the area under its curve; its motor must put that in.
+/// The work of a press is the area under its force curve, and its motor must supply it.
 #[test]
-fn a_press_takes_the_work_of_its_curve() {
+fn press_work_equals_area_under_its_curve() {
     let found = json(&done(&["motor", "press-ram", "--format", "json"]));
     let knots = [
         [40.0, 0.0],
@@ -105,7 +105,7 @@ fn a_press_takes_the_work_of_its_curve() {
 }
 
 #[test]
-fn csv_is_the_cycle_step_by_step() {
+fn csv_lists_the_cycle_step_by_step() {
     let csv = done(&["motor", "engine", "--format", "csv"]);
     let header = csv.lines().next().unwrap();
     assert_eq!(
@@ -126,7 +126,7 @@ fn csv_is_the_cycle_step_by_step() {
 }
 
 #[test]
-fn options_stand_for_what_the_scene_says() {
+fn options_override_values_of_the_scene() {
     let with = |more: &[&str]| {
         json(&done(
             &[&["motor", "four-bar-load", "--format", "json"], more].concat(),
@@ -139,28 +139,28 @@ fn options_stand_for_what_the_scene_says() {
     let strong = with(&["--rated", "1000", "--peak", "3000", "--fluctuation", "0.5"]);
     assert_eq!(strong["motor"]["enough"], true);
     near(&strong["evenness"]["wished"]["fluctuation"], 0.5, 0.0);
-    // The load is lifted and let down: with a flywheel the motor has nothing to do in the mean.
+    // The load is lifted and lowered: with a flywheel, the mean torque of the motor is zero.
     let even = with(&["--rated", "20", "--peak", "60", "--flywheel", "5"]);
     assert_eq!(even["motor"]["with_flywheel"]["asked"], 0.0);
     let uneven = with(&["--rated", "20", "--peak", "60", "--flywheel", "0.1"]);
     assert!(uneven["motor"]["with_flywheel"].is_null());
-    // There and back over a part of the motion gravity gives back all that it takes.
+    // Over a part of the motion, there and back, gravity returns all the work it takes.
     let part = with(&["--from", "30", "--to", "90"]);
     assert_eq!(
         (&part["cycle"]["from"], &part["cycle"]["goes_round"]),
         (&30.0.into(), &false.into())
     );
     near(&part["torque"]["gravity"]["work"], 0.0, 1e-12);
-    // A driver that turns goes on over the full turn.
+    // A range of a rotating driver continues past the full turn.
     let part = with(&["--from", "300", "--to", "60"]);
     near(&part["cycle"]["from"], 300.0, 0.0);
     near(&part["cycle"]["to"], 420.0, 0.0);
 }
 
-/// The headline says what stands below it: a flywheel that leaves less than is wished does for a motor of the mean, at
-/// its peak too, and one that leaves more than is possible does not.
+/// The headline must agree with the details below it. A flywheel within the allowed fluctuation reduces the demand to
+/// the mean torque, for the peak too. A flywheel with an impossible fluctuation does not.
 #[test]
-fn the_headline_on_a_flywheel_agrees_with_what_stands_below() {
+fn flywheel_headline_agrees_with_the_details() {
     let with = |more: &[&str]| {
         let told = done(&[&["motor", "toggle-press"], more].concat());
         let args = [&["motor", "toggle-press", "--format", "json"], more].concat();
@@ -170,11 +170,11 @@ fn the_headline_on_a_flywheel_agrees_with_what_stands_below() {
     assert!(told.contains("motor: enough, with the flywheel"), "{told}");
     assert_eq!(found["motor"]["enough"], true);
     assert_eq!(found["motor"]["even_enough"], true);
-    // Less than the mean is not enough, whatever the flywheel.
+    // A motor below the mean torque is not enough with any flywheel.
     let (told, found) = with(&["--rated", "10", "--peak", "300", "--flywheel", "5000"]);
     assert!(told.contains("motor: not enough"), "{told}");
     assert_eq!(found["motor"]["enough"], false);
-    // Where a wish is not met, the peak is asked of the motor itself.
+    // If the requested fluctuation is exceeded, the motor itself must supply the peak.
     let uneven = ["--rated", "150", "--peak", "300", "--flywheel", "5000"];
     let (told, found) = with(&[&uneven[..], &["--fluctuation", "0.01"]].concat());
     assert!(told.contains("motor: not enough"), "{told}");
@@ -190,7 +190,7 @@ fn the_headline_on_a_flywheel_agrees_with_what_stands_below() {
 }
 
 #[test]
-fn a_ram_is_measured_where_nothing_acts() {
+fn ram_is_measured_without_loads() {
     let args = [
         "motor",
         "offset-slider-crank",
@@ -222,7 +222,7 @@ fn a_ram_is_measured_where_nothing_acts() {
     assert!(json["torque"].is_null() && json["cycle"].is_null());
     let stroke = (160.0_f64.powi(2) - 2500.0).sqrt() - (80.0_f64.powi(2) - 2500.0).sqrt();
     near(&json["ram"]["stroke"], stroke, 1e-11);
-    // At the bottom itself the force has no bound: nothing stands there.
+    // At the bottom itself, the force has no bound, so the cells are empty.
     let bottom = krank(&[
         "motor",
         "offset-slider-crank",
@@ -259,14 +259,14 @@ fn a_ram_is_measured_where_nothing_acts() {
 }
 
 #[test]
-fn dead_points_and_change_points_are_named() {
+fn dead_points_are_named_and_have_empty_cells() {
     let boom = done(&["motor", "excavator-boom"]);
     assert!(boom.contains("dead points at "), "{boom}");
     assert!(
         boom.contains("motor: not judged: no largest force exists"),
         "{boom}"
     );
-    // What does not exist over the whole exists in every state but the dead points.
+    // Values exist in every state except at the dead points.
     let csv = rows(&done(&["motor", "excavator-boom", "--format", "csv"]));
     for (k, row) in csv.iter().enumerate() {
         let is_dead = k % 180 == 0;
@@ -286,7 +286,7 @@ fn dead_points_and_change_points_are_named() {
 }
 
 #[test]
-fn what_makes_no_sense_is_refused() {
+fn invalid_motor_arguments_are_rejected() {
     for (code, args, phrase) in [
         (
             2,

@@ -1,10 +1,10 @@
-//! Figures over time: the driver's law of motion, with its own speed and acceleration.
+//! Tests of values over time: the driver's motion law with its speed and acceleration.
 
 use super::{done, folder, json, krank, refused, rows};
 use std::f64::consts::PI;
 use std::fs;
 
-/// A slider-crank of 100 and 300 mm that goes 120 deg forth and back, with a slider of 2 kg.
+/// A slider-crank of 100 and 300 mm that turns 120 deg forward and back, with a slider of 2 kg.
 const INDEXED: &str = r#"
 unit = "mm"
 [ground]
@@ -33,7 +33,7 @@ fn scene(name: &str, text: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// Angle, speed and acceleration of the crank in radians, by the laws of the handbooks.
+/// Returns angle, speed and acceleration of the crank in radians, by the laws in handbooks.
 fn crank(time: f64) -> [f64; 3] {
     let h = 120_f64.to_radians();
     if time < 0.5 {
@@ -56,7 +56,8 @@ fn crank(time: f64) -> [f64; 3] {
     }
 }
 
-/// Where a slider of crank 100 and rod 300 is, in mm, and its derivatives by the angle: x = r c + w, w^2 = l^2 - r^2 s^2.
+/// Returns the position in mm of a slider with crank 100 and rod 300, and its derivatives by the
+/// angle: x = r c + w, w^2 = l^2 - r^2 s^2.
 fn slider(angle: f64) -> [f64; 3] {
     let (r, l) = (100.0, 300.0);
     let (s, c) = angle.sin_cos();
@@ -71,7 +72,7 @@ fn near(found: f64, exact: f64, size: f64) {
 }
 
 #[test]
-fn rows_over_time_have_the_speed_and_the_acceleration_of_the_law() {
+fn rows_over_time_follow_the_motion_law() {
     let path = scene("rows.toml", INDEXED);
     let args = ["sweep", &path, "--time", "--step", "0.01", "--columns"];
     let csv = done(
@@ -87,9 +88,9 @@ fn rows_over_time_have_the_speed_and_the_acceleration_of_the_law() {
     assert_eq!(rows.len(), 111);
     for row in &rows {
         let at = |i: usize| row[i].parse::<f64>().unwrap();
-        // Where two steps meet stands what begins; the last row is the end of the period and its beginning.
+        // At the end of a step, the row shows the following step. The last row is the end and the start of the period.
         let time = if at(0) >= 1.1 { 0.0 } else { at(0) };
-        // Decimals such as 0.7 are beside the sum of the times.
+        // Decimals such as 0.7 differ slightly from the sum of the times.
         if [0.5, 0.7].iter().any(|joint| (time - joint).abs() < 1e-9) {
             continue;
         }
@@ -108,7 +109,7 @@ fn rows_over_time_have_the_speed_and_the_acceleration_of_the_law() {
 }
 
 #[test]
-fn a_table_at_a_time_has_them_too_and_bounds_that_hold() {
+fn table_at_a_time_follows_the_law_and_accepts_bounds() {
     let path = scene("table.toml", INDEXED);
     let asked = ["table", &path, "--time", "0.2", "--columns", "C.vx,C.ax"];
     let found = json(&done(
@@ -127,10 +128,10 @@ fn a_table_at_a_time_has_them_too_and_bounds_that_hold() {
     assert!(text.contains("C.ax"), "{text} {exact}");
 }
 
-/// Where the crank is at 0.2 s, to 50 digits: each nearest double and what it leaves out. What rounds on the way is in
-/// the bounds, of the driver's own figures too, and these are no wider than some roundings.
+/// Reference at 0.2 s to 50 digits: each nearest double and its remainder. The bounds cover the
+/// rounding of the law, also for the driver's own values, and are no wider than a few roundings.
 #[test]
-fn what_the_law_rounds_is_within_the_bounds() {
+fn rounding_errors_of_the_law_are_within_bounds() {
     let path = scene("bounds.toml", INDEXED);
     let found = json(&done(&[
         "table", &path, "--time", "0.2", "--bounds", "--format", "json",
@@ -154,7 +155,7 @@ fn what_the_law_rounds_is_within_the_bounds() {
 }
 
 #[test]
-fn at_a_coordinate_krank_says_that_the_motion_over_time_does_not_count() {
+fn table_at_a_coordinate_notes_that_motion_is_ignored() {
     let path = scene("coordinate.toml", INDEXED);
     let run = krank(&["table", &path, "--at", "30"]);
     assert_eq!(run.code, 0);
@@ -163,9 +164,9 @@ fn at_a_coordinate_krank_says_that_the_motion_over_time_does_not_count() {
     assert!(message.contains("--time"), "{message}");
 }
 
-/// A constant step of a whole turn is a scene of that speed, in every figure.
+/// A constant step of a whole turn gives the same values as a constant speed.
 #[test]
-fn a_constant_law_is_a_speed() {
+fn constant_law_equals_constant_speed() {
     let motion = "motion = [{ law = \"constant\", to = 360, time = 2 }]";
     let head = INDEXED.split("motion").next().unwrap();
     let tail = INDEXED.split("]\n[links]").nth(1).unwrap();
@@ -193,15 +194,15 @@ fn a_constant_law_is_a_speed() {
 fn plots_over_time_follow_the_law() {
     let path = scene("plot.toml", INDEXED);
     let asked = ["plot", &path, "--columns", "r2.omega", "--against", "time"];
-    // The cycloid's peak 2 h / T, and the way back's pi h / (2 T).
+    // Peak speed of the cycloid 2 h / T, and of the return pi h / (2 T).
     let text = done(&asked);
     assert!(text.contains("8.377") && text.contains("-8.224"), "{text}");
 }
 
-/// The slider of 2 kg on the crank's law: what is swept in fine rows has the motor's extremes, and what is put in
-/// comes back, since nothing else acts.
+/// The slider of 2 kg follows the crank's law. The extremes match a fine sampling, and energy in
+/// equals energy out, since nothing dissipates.
 #[test]
-fn the_motor_goes_through_the_period_of_the_motion() {
+fn motor_covers_the_period_of_the_motion() {
     let path = scene("motor.toml", INDEXED);
     let found = json(&done(&["motor", &path, "--rated", "1", "--format", "json"]));
     let figure = |keys: [&str; 2]| found[keys[0]][keys[1]].as_f64().unwrap();
@@ -230,7 +231,7 @@ fn the_motor_goes_through_the_period_of_the_motion() {
         "{text}"
     );
     assert!(refused(2, &["motor", &path, "--from", "0", "--to", "9"]).contains("--from"));
-    // The same step by step: the torque, what of it goes into inertia, and what the work has come to.
+    // CSV has the steps: torque, its inertia part and the cumulative work.
     let csv = done(&["motor", &path, "--format", "csv"]);
     assert_eq!(
         csv.lines().next().unwrap(),
@@ -246,7 +247,7 @@ fn the_motor_goes_through_the_period_of_the_motion() {
         assert!((number(row, 3) - exact).abs() < 1e-9 * most, "{row:?}");
         assert!((number(row, 6) - exact).abs() < 1e-9 * most, "{row:?}");
     }
-    // What was put in and came back is nothing.
+    // The work over a whole period is zero.
     let put_in = figure(["energy", "put_in"]);
     assert!(number(&steps[360], 8).abs() < 1e-9 * put_in);
     let still = scene(
@@ -256,10 +257,10 @@ fn the_motor_goes_through_the_period_of_the_motion() {
     refused(1, &["motor", &still]);
 }
 
-/// A rod that comes out of a crank by a table: with p the spline, dp/dt = p' q' and d2p/dt2 = p' q'' + p'' q'^2. The
-/// table is one cubic at rest at both ends, p = 200 + 90 s^2 (3 - 2 s) mm with s a part of 120 deg.
+/// A rod extends from a crank by a table: with the spline p, dp/dt = p' q' and d2p/dt2 = p' q'' + p'' q'^2. The table
+/// is one cubic at rest at both ends, p = 200 + 90 s^2 (3 - 2 s) mm, where s is the fraction of 120 deg.
 #[test]
-fn an_input_by_a_table_moves_with_the_law_of_its_driver() {
+fn input_table_follows_the_law_of_its_driver() {
     let text = r#"
 unit = "mm"
 [ground]
@@ -315,10 +316,10 @@ rod = { point = "T", on = "r2", through = "A", angle = 0 }
     assert_eq!(count, 23);
 }
 
-/// 120 deg in 0.5 s by a cycloid has the greater speed, 2 h / T; back in 0.4 s by a cosine the greater acceleration,
-/// pi^2 h / (2 T^2).
+/// The cycloid over 120 deg in 0.5 s has the higher speed, 2 h / T. The harmonic return in 0.4 s
+/// has the higher acceleration, pi^2 h / (2 T^2).
 #[test]
-fn check_tells_of_the_motion_as_a_whole() {
+fn check_summarizes_the_motion() {
     let path = scene("told.toml", INDEXED);
     let h = 120_f64.to_radians();
     let told = done(&["check", &path]);

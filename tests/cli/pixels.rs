@@ -1,4 +1,4 @@
-//! `krank draw --format png|gif`: decoded, and looked at where the crank must be.
+//! Tests of `krank draw --format png|gif`: decodes the pictures and checks the pixels of the crank.
 
 use super::{command, folder};
 use resvg::tiny_skia::Pixmap;
@@ -14,7 +14,7 @@ fn written(name: &str, arguments: &[&str]) -> std::path::PathBuf {
     file
 }
 
-/// What the style of the same drawing as SVG strokes with, on light ground: it says light first.
+/// Returns the stroke colour of a class in the SVG's style for light backgrounds, which comes first.
 fn stroke(svg: &str, class: &str) -> [u8; 3] {
     let rule = svg.lines().find(|line| line.starts_with(class)).unwrap();
     let (_, hex) = rule.split_once("stroke:#").unwrap();
@@ -22,9 +22,9 @@ fn stroke(svg: &str, class: &str) -> [u8; 3] {
     [hex >> 16, hex >> 8, hex].map(|channel| (channel & 0xff) as u8)
 }
 
-/// At 60 degrees the crank of 100 mm goes from A to B; both are found by the middle of what is red.
+/// At 60 degrees, the crank of 100 mm leads from A to B; its pixels are found by colour.
 #[test]
-fn pixels_of_a_png_have_the_hues_of_the_links() {
+fn png_pixels_have_the_colours_of_the_links() {
     let file = written(
         "four-bar.png",
         &["four-bar", "--format", "png", "--width", "400"],
@@ -48,15 +48,15 @@ fn pixels_of_a_png_have_the_hues_of_the_links() {
     let svg = String::from_utf8(svg.unwrap().stdout).unwrap();
     let driver = of(stroke(&svg, ".driver"));
     let link = of(stroke(&svg, ".hue0"));
-    // The coupler is three times as long as the crank; edges are mixed with the paper.
+    // The coupler is three times as long as the crank; edge pixels are blended with the background.
     let lengths = (driver.len(), link.len());
     assert!(lengths.0 > 50 && lengths.1 > 2 * lengths.0, "{lengths:?}");
     assert_eq!([at(0, 0), at(399, picture.height() - 1)], [PAPER; 2]);
-    // The crank rises to the right by 60 degrees: 1.73 up for 1 along.
+    // The crank rises to the right at 60 degrees: 1.73 up for 1 to the right.
     let (low, high) = (driver.iter().max_by_key(|p| p.1).unwrap(), driver[0]);
     let slope = f64::from(low.1 - high.1) / f64::from(high.0 - low.0);
     assert!((1.3..2.3).contains(&slope), "{slope}");
-    // Names are drawn without a font of the system: right of the last support there is nothing but one.
+    // Labels need no system font: right of the last support there is only a label.
     let dark = |x: u32, y: u32| at(x, y).iter().all(|channel| *channel < 0x80);
     let mut beside = (385..400).flat_map(|x| (0..picture.height()).map(move |y| (x, y)));
     assert!(
@@ -66,7 +66,7 @@ fn pixels_of_a_png_have_the_hues_of_the_links() {
 }
 
 #[test]
-fn pixels_of_a_gif_go_round_for_ever_and_take_the_time_that_was_asked_for() {
+fn gif_pixels_loop_forever_with_requested_duration() {
     let arguments = [
         "four-bar",
         "--format",
@@ -95,13 +95,13 @@ fn pixels_of_a_gif_go_round_for_ever_and_take_the_time_that_was_asked_for() {
     assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
 }
 
-/// Slides are dark as often as light; a program that paints an SVG knows no reader's preference.
+/// Programs that render an SVG do not know the reader's preference for dark slides.
 #[test]
-fn pixels_lie_on_a_dark_ground_where_that_is_asked_for() {
+fn dark_option_gives_pixels_a_dark_background() {
     let arguments = ["four-bar", "--format", "png", "--width", "63", "--dark"];
     let file = written("dark.png", &arguments);
     let picture = Pixmap::decode_png(&std::fs::read(file).unwrap()).unwrap();
-    // The paper reaches to the last row, though the document's height is no whole number of pixels.
+    // The background covers the last row, although the document's height is not a whole number of pixels.
     for y in [0, picture.height() - 1] {
         let paper = picture.pixel(0, y).unwrap();
         let channels = [paper.red(), paper.green(), paper.blue(), paper.alpha()];
@@ -110,7 +110,7 @@ fn pixels_lie_on_a_dark_ground_where_that_is_asked_for() {
 }
 
 #[test]
-fn more_pixels_than_memory_is_for_are_refused() {
+fn too_many_pixels_are_rejected() {
     let arguments = [
         "four-bar", "--format", "png", "--width", "8192", "--size", "10x2000",
     ];

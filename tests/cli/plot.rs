@@ -1,4 +1,4 @@
-//! `plot`: what is drawn, over what, and what is refused.
+//! Tests of `plot`: output, x axis and rejected arguments.
 
 use super::{Run, done, folder, krank, refused};
 
@@ -7,7 +7,7 @@ fn plot(args: &[&str]) -> String {
 }
 
 #[test]
-fn a_plot_is_as_large_as_it_should_be_and_ascii_in_a_plain_environment() {
+fn plot_has_requested_size_and_is_ascii_in_c_locale() {
     let text = plot(&["four-bar", "--columns", "C.vx,r4.omega"]);
     assert_eq!(text.lines().count(), 24);
     assert!(
@@ -30,8 +30,8 @@ fn a_plot_is_as_large_as_it_should_be_and_ascii_in_a_plain_environment() {
 }
 
 #[test]
-fn extrema_are_marked_with_what_is_solved_and_can_be_left_out() {
-    // The slider in line: dead centres at 0 and 180 deg, 30 and 10 cm from the pivot.
+fn extrema_show_solved_values_unless_disabled() {
+    // The slider-crank is in line: dead centres at 0 and 180 deg, 30 and 10 cm from the pivot.
     let args = [
         "slider-crank",
         "--columns",
@@ -51,7 +51,7 @@ fn extrema_are_marked_with_what_is_solved_and_can_be_left_out() {
 }
 
 #[test]
-fn time_begins_where_the_scene_opens_and_figures_stand_against_each_other() {
+fn x_axis_can_be_time_or_another_column() {
     let text = plot(&["four-bar", "--columns", "r4.omega", "--against", "time"]);
     assert!(
         text.contains("over time") && text.contains(" s\n"),
@@ -65,7 +65,7 @@ fn time_begins_where_the_scene_opens_and_figures_stand_against_each_other() {
 }
 
 #[test]
-fn glyphs_are_those_that_were_asked_for() {
+fn glyphs_option_selects_characters() {
     let with = |glyphs| plot(&["four-bar", "--columns", "C.vx", "--glyphs", glyphs]);
     assert!(with("ascii").is_ascii() && with("auto").is_ascii());
     assert!(with("line").contains('\u{2510}'));
@@ -74,7 +74,7 @@ fn glyphs_are_those_that_were_asked_for() {
 }
 
 #[test]
-fn an_svg_goes_to_a_file() {
+fn svg_is_written_to_a_file() {
     let file = folder("plot").join("plot.svg");
     let path = file.to_str().unwrap();
     let out = plot(&[
@@ -98,7 +98,7 @@ fn an_svg_goes_to_a_file() {
 }
 
 #[test]
-fn what_cannot_be_plotted_is_refused_with_the_mend() {
+fn invalid_plot_arguments_are_rejected_with_a_fix() {
     let columns = |columns| refused(2, &["plot", "four-bar", "--columns", columns]);
     assert!(columns("C.z").contains("`C.x`") || columns("C.z").contains("C.y"));
     assert!(columns("state").contains("--columns"));
@@ -113,7 +113,7 @@ fn what_cannot_be_plotted_is_refused_with_the_mend() {
 }
 
 #[test]
-fn what_lies_outside_the_motion_is_a_gap_and_said() {
+fn range_outside_motion_gives_a_note_or_exits_with_1() {
     let args = ["plot", "double-rocker", "--columns", "C.x", "--from"];
     let outside = |from, to| krank(&[&args[..], &[from, "--to", to]].concat());
     let Run { code, out, err } = outside("0", "360");

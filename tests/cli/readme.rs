@@ -1,4 +1,4 @@
-//! What the README shows is what krank does.
+//! Tests that the README and the manual show the actual behaviour of krank.
 
 use super::language::spoken;
 use super::{command, done, folder, run};
@@ -8,11 +8,11 @@ const SCENE: &str = include_str!("../../src/manual/english/scene.md");
 const FAULTS: &str = include_str!("../../src/manual/english/faults.md");
 const COMMANDS: &str = include_str!("../../src/manual/english/commands.md");
 
-/// The same chapters in Turkish.
+/// The Turkish versions of the chapters.
 const SAHNE: &str = include_str!("../../src/manual/turkish/scene.md");
 const YANLISLAR: &str = include_str!("../../src/manual/turkish/faults.md");
 
-/// The blocks of a text in this language.
+/// Returns the fenced blocks of a text in this language.
 pub(super) fn blocks(text: &'static str, language: &str) -> Vec<&'static str> {
     let opening = format!("```{language}\n");
     let behind = text.split(opening.as_str()).skip(1);
@@ -22,7 +22,7 @@ pub(super) fn blocks(text: &'static str, language: &str) -> Vec<&'static str> {
 }
 
 #[test]
-fn the_scene_of_the_readme_opens() {
+fn readme_scene_opens() {
     let mut check = command(&["check", "-"]);
     let scene = blocks(README, "toml")[0];
     assert_eq!(scene, blocks(SCENE, "toml")[0], "the manual shows another");
@@ -36,7 +36,7 @@ fn the_scene_of_the_readme_opens() {
 }
 
 #[test]
-fn what_is_shown_is_what_is_printed() {
+fn shown_output_matches_actual_output() {
     let texts = [README, SCENE, FAULTS].map(|text| blocks(text, "text"));
     let [[table], [check], [fault]] = texts.each_ref().map(Vec::as_slice) else {
         panic!("there are other blocks of output than this test knows");
@@ -50,7 +50,7 @@ fn what_is_shown_is_what_is_printed() {
     let mut command = command(&["check", "my.toml"]);
     assert_eq!(run(command.current_dir(&here)).err, *fault);
 
-    // In Turkish there are the scene and its fault, in the chapters of the manual.
+    // The Turkish chapters show the scene check and the error.
     let texts = [SAHNE, YANLISLAR].map(|text| blocks(text, "text"));
     let [[check], [fault]] = texts.each_ref().map(Vec::as_slice) else {
         panic!("there are other blocks of output than this test knows");
@@ -60,9 +60,9 @@ fn what_is_shown_is_what_is_printed() {
     assert_eq!(spoken("tr", &here, &["check", "my.toml"]).err, *fault);
 }
 
-/// Whoever reads it sees what krank draws today. The links work in a checkout, and so they lead into it.
+/// The pictures are up to date. Their links are relative, so they work in a checkout.
 #[test]
-fn the_pictures_of_the_readme_are_what_is_drawn() {
+fn readme_pictures_match_draw_output() {
     let drawn = [
         ("four-bar", &["four-bar", "--traces", "--size", "58x26"][..]),
         (
@@ -90,7 +90,7 @@ fn the_pictures_of_the_readme_are_what_is_drawn() {
     );
 }
 
-/// Commands that end by themselves and within a moment. The others open the workbench or measure times.
+/// Commands that end by themselves within a moment. The others open the workbench or measure times.
 pub(super) const QUICK: [&str; 21] = [
     "list",
     "check",
@@ -115,7 +115,7 @@ pub(super) const QUICK: [&str; 21] = [
     "man",
 ];
 
-/// Runs the quick ones of these command lines in a new folder, and returns how many they are.
+/// Runs the quick commands among these lines in a new folder, and returns their number.
 fn ran<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
     // `krank exercise` does not overwrite the files of an earlier run.
     std::fs::remove_dir_all(folder(name)).unwrap();
@@ -132,9 +132,9 @@ fn ran<'a>(lines: impl Iterator<Item = &'a str>, name: &str) -> usize {
     ran
 }
 
-/// Commands are indented by four, each with a comment.
+/// Commands in the README are indented by four columns, each with a comment.
 #[test]
-fn the_commands_of_the_readme_run() {
+fn readme_commands_run() {
     let shown = README
         .lines()
         .filter_map(|line| line.strip_prefix("    krank "));
@@ -149,19 +149,19 @@ fn the_commands_of_the_readme_run() {
     }
 }
 
-/// Each item of the chapter begins with a command. The Turkish chapter has the same code: a test of the manual
-/// compares them.
+/// Each item of the chapter starts with a command. A test of the manual compares the Turkish
+/// chapter's code with the English one.
 #[test]
-fn the_commands_of_the_manual_run() {
+fn commands_chapter_of_the_manual_runs() {
     let shown = COMMANDS
         .lines()
         .filter_map(|line| line.strip_prefix("- `krank ")?.split('`').next());
     assert_eq!(ran(shown, "manual-commands"), 28);
 }
 
-/// Every command is in the chapter; `krank --help` lists them.
+/// The chapter contains every command listed by `krank --help`.
 #[test]
-fn every_command_has_its_line_in_the_manual() {
+fn every_command_has_a_line_in_the_manual() {
     let help = done(&["--help"]);
     let list = help.split("Commands:\n").nth(1).unwrap();
     let names = list.lines().take_while(|line| !line.is_empty());
@@ -174,13 +174,13 @@ fn every_command_has_its_line_in_the_manual() {
 }
 
 #[test]
-fn the_readme_is_short() {
+fn readme_and_its_sentences_are_short() {
     assert!(README.len() <= 11_000, "{} bytes", README.len());
-    // Without blocks, commands and tables.
+    // Skips blocks, commands and tables.
     let pieces = README.split("```").step_by(2);
     let lines = pieces.flat_map(str::lines);
     let lines = lines.filter(|line| !line.starts_with("    ") && !line.starts_with('|'));
-    // A list item and a paragraph begin a sentence.
+    // A list item or a paragraph starts a new sentence.
     let text: String = lines.fold(String::new(), |text, line| match line {
         "" => text + "\n",
         line if line.starts_with("- ") => text + "\n" + line + " ",

@@ -1,9 +1,9 @@
-//! `report`: the working as it is handed in, in four formats.
+//! Tests of `report`: the working as a hand-in document, in four formats.
 
 use super::{command, done, folder, krank, refused, run};
 
 #[test]
-fn the_ending_of_the_file_chooses_the_format() {
+fn file_extension_selects_the_format() {
     let here = folder("report");
     for (name, begins) in [
         ("a.html", "<!DOCTYPE html>\n"),
@@ -29,7 +29,7 @@ fn the_ending_of_the_file_chooses_the_format() {
 }
 
 #[test]
-fn as_text_it_is_what_a_plain_terminal_shows() {
+fn text_report_is_ascii_within_80_columns() {
     let text = done(&["report", "press-ram", "--format", "text"]);
     assert!(text.is_ascii(), "{text}");
     let long: Vec<&str> = text.lines().filter(|line| line.len() > 80).collect();
@@ -44,7 +44,7 @@ fn as_text_it_is_what_a_plain_terminal_shows() {
 }
 
 #[test]
-fn digits_and_places_are_as_asked() {
+fn options_set_digits_and_driver_angle() {
     let args = [
         "report", "four-bar", "--at", "90", "--digits", "10", "--format", "text",
     ];
@@ -56,7 +56,7 @@ fn digits_and_places_are_as_asked() {
 }
 
 #[test]
-fn outside_the_range_the_code_is_1_as_that_of_the_working() {
+fn position_outside_range_exits_with_1() {
     let heard = krank(&["report", "double-rocker", "--at", "200", "--format", "text"]);
     assert_eq!(heard.code, 1);
     assert!(heard.out.contains("State: no-assembly."), "{}", heard.out);
@@ -65,7 +65,7 @@ fn outside_the_range_the_code_is_1_as_that_of_the_working() {
 }
 
 #[test]
-fn markdown_has_its_pictures_in_characters() {
+fn markdown_contains_text_pictures() {
     let mut utf8 = command(&["report", "four-bar", "--format", "markdown"]);
     utf8.env("LC_ALL", "en_US.UTF-8")
         .env("TERM", "xterm-256color");
@@ -81,9 +81,9 @@ fn markdown_has_its_pictures_in_characters() {
     }
 }
 
-/// What the lecture prints, with its units and its decimal commas, beside the exact figures.
+/// The values printed in the lecture, with their units and decimal commas, are compared with the exact ones.
 #[test]
-fn printed_figures_stand_beside_krank_s() {
+fn printed_values_are_compared_with_computed_ones() {
     let here = folder("report-against");
     let file = here.join("notes.csv");
     let printed = "figure;unit;value\nr3.angle;deg;29,3795\nr3.omega;rd/s;-3,916\nr4.alpha;rad/s²;95,5\n\
@@ -126,7 +126,7 @@ fn printed_figures_stand_beside_krank_s() {
         row("C.a.t")[2..],
         ["23875.9", "23,875", "m/s2", "-0.902", "-3.8e-5"]
     );
-    // Another unit is no length's, and another name is none.
+    // A value with a wrong unit and an unknown name are listed.
     assert!(
         beside
             .replace('\n', " ")
@@ -139,9 +139,10 @@ fn printed_figures_stand_beside_krank_s() {
     assert!(refused(2, &args).contains("has no values"));
 }
 
-/// What another program wrote over the motion: of each column the largest difference, and where.
+/// For the output of another program over the motion, the report has the largest difference of each
+/// column and its position.
 #[test]
-fn a_course_stands_beside_krank_s() {
+fn motion_file_is_compared_column_by_column() {
     let here = folder("report-course");
     let file = here.join("motion.csv");
     let path = file.to_str().unwrap();
@@ -183,12 +184,12 @@ fn a_course_stands_beside_krank_s() {
     std::fs::write(&file, changed.join("\n")).unwrap();
     let text = of();
     let off = row(&text, "C.x");
-    // One of 37 is off: the root mean square is 0.5 / sqrt(37).
+    // One of 37 rows is off: the root mean square is 0.5 / sqrt(37).
     assert_eq!(off[2..6], ["37", "0.0822", "0.500", "120.000"], "{text}");
     assert_eq!(off[7], "1", "{text}");
-    // A turn more is the same direction.
+    // Angles that differ by a whole turn are equal.
     assert_eq!(row(&text, "r3.angle")[7], "0", "{text}");
-    // Whoever counts in turns says so, and is not taken for degrees.
+    // A column in turns is not taken for degrees.
     let turns = given.replacen("[deg]", "[turns]", 1);
     std::fs::write(&file, turns).unwrap();
     let text = of().replace('\n', " ");
@@ -198,9 +199,9 @@ fn a_course_stands_beside_krank_s() {
     );
 }
 
-/// One document has one way to write unit vectors, and defines it.
+/// Each document uses one notation of unit vectors and defines it.
 #[test]
-fn the_notation_is_as_asked() {
+fn notation_option_sets_unit_vectors() {
     let of = |command: &str, notation: &str| {
         let format = ["--format", "text"];
         done(&[&[command, "four-bar", "--notation", notation], &format[..]].concat())
@@ -232,14 +233,14 @@ fn the_notation_is_as_asked() {
         of("report", "lecture")
     );
     assert!(of("report", "krank").contains("dn/dt = -omega u(theta)"));
-    // Mu is the unit vector alone.
+    // Mu denotes only the unit vector.
     assert!(!of("report", "lecture").contains("sin mu"));
     assert!(refused(2, &["explain", "four-bar", "--notation", "greek"]).contains("lecture"));
 }
 
-/// What the notes print stands in the report of either language, to its nine digits.
+/// The report contains the values of the notes in both languages, to nine digits.
 #[test]
-fn the_figures_of_the_notes_stand_in_both_languages() {
+fn report_has_the_values_of_the_notes_in_both_languages() {
     let figures = [
         (
             "four-bar",
@@ -302,9 +303,9 @@ fn the_figures_of_the_notes_stand_in_both_languages() {
     }
 }
 
-/// An ending of something else would promise what the file does not hold.
+/// An unknown extension would not match the content of the file.
 #[test]
-fn an_unknown_ending_is_refused() {
+fn unknown_file_extension_is_rejected() {
     let here = folder("report-ending");
     let file = here.join("four-bar.pdf");
     let _ = std::fs::remove_file(&file);
@@ -317,7 +318,7 @@ fn an_unknown_ending_is_refused() {
 }
 
 #[test]
-fn figures_of_another_program_are_not_written_over() {
+fn output_does_not_overwrite_the_compared_file() {
     let here = folder("report-over");
     let file = here.join("notes.csv");
     let figures = "figure;unit;value\nr3.angle;deg;29,3795\n";

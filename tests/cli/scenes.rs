@@ -1,9 +1,9 @@
-//! `check`, and where scenes come from.
+//! Tests of `check` and of the sources of scenes.
 
 use super::{PARALLEL_CRANKS, command, done, folder, json, refused, run};
 use krank::scene::presets;
 
-/// A four-bar that opens in a name with a control character.
+/// A four-bar with a control character in its name.
 const MINE: &str = r#"
 name = "Mine \u001b[2J"
 unit = "cm"
@@ -22,15 +22,16 @@ c = { from = "C", to = "D", length = 2.5 }
 C = [3, 2]
 "#;
 
-/// Lecture notes write a slider-crank's r4 at theta 180, which is a guide at 0: who types 180 is told.
+/// Lecture notes write a slider-crank's r4 at theta 180, which is a guide at angle 0: a scene with
+/// angle 180 gets an explanation.
 #[test]
-fn a_slide_that_counts_backwards_is_told() {
+fn negative_slide_coordinate_is_explained() {
     let text = presets::find("slider-crank").unwrap().text;
     let turned = text.replace("\"A\", angle = 0 }", "\"A\", angle = 180 }");
     assert_ne!(text, turned);
     let told = "r4 is negative where the scene opens, -28.0252 cm: it is measured from `through` along `angle = 180`, and \
                 its vector points back; set `angle = 0` to make it positive, at theta 180 deg, as in lecture notes";
-    // However the direction is written, the table has it from 0 to below 360.
+    // The table normalizes any notation of the direction to 0 up to 360.
     let down = text.replace("\"A\", angle = 0 }", "\"A\", angle = -180 }");
     let over = text.replace("\"A\", angle = 0 }", "\"A\", angle = 540 }");
     for (text, angle) in [(down, "-180"), (over, "540")] {
@@ -51,7 +52,7 @@ fn a_slide_that_counts_backwards_is_told() {
 }
 
 #[test]
-fn check_tells_what_was_understood() {
+fn check_summarizes_the_scene() {
     let text = done(&["check", "four-bar"]);
     for line in [
         "Four-bar crank-rocker",
@@ -68,9 +69,9 @@ fn check_tells_what_was_understood() {
     }
 }
 
-/// Limits have the digits that they need, and no noughts behind these.
+/// Limits have the digits that they need and no trailing zeros.
 #[test]
-fn limits_of_a_pushed_slide_are_short() {
+fn limits_of_driven_slide_have_no_trailing_zeros() {
     let scene = r#"
 unit = "mm"
 [ground]
@@ -107,7 +108,7 @@ fn check_names_slides_and_coupled_groups() {
 }
 
 #[test]
-fn check_tells_of_redundant_constraints_and_driven_slides() {
+fn check_reports_redundant_constraints_and_driven_slides() {
     let heard = run(command(&["check", "-"]).write_stdin(PARALLEL_CRANKS));
     let line = "mobility   1, not counting 1 redundant constraint: ";
     assert!(heard.out.contains(line), "{}", heard.out);
@@ -120,7 +121,7 @@ fn check_tells_of_redundant_constraints_and_driven_slides() {
 }
 
 #[test]
-fn check_tells_what_repeats_what_and_how_well_it_fits() {
+fn check_reports_redundancies_and_their_misfit() {
     let text = done(&["check", "triple-parallelogram"]);
     let line = "redundant  r5 repeats r2, r3, r4; they differ by at most ";
     assert!(text.contains(line), "{text}");
@@ -143,9 +144,9 @@ fn check_tells_what_repeats_what_and_how_well_it_fits() {
     assert_eq!(facts["opens_at_change_point"], false);
 }
 
-/// The third crank a little longer: what is refused is what a line accepts.
+/// The third crank is a little longer: the message proposes the line that makes the scene valid.
 #[test]
-fn a_drawing_of_few_digits_is_accepted_where_the_scene_says_so() {
+fn misfit_within_the_limit_of_the_scene_is_accepted() {
     let drawn = PARALLEL_CRANKS.replace(
         "e = { from = \"G\", to = \"F\", length = 1 }",
         "e = { from = \"G\", to = \"F\", length = 1.00001 }",
@@ -168,9 +169,9 @@ fn a_drawing_of_few_digits_is_accepted_where_the_scene_says_so() {
     assert!((misfit - 1e-5).abs() < 1e-9, "{misfit:e}");
 }
 
-/// It used to propose a name that it then refused.
+/// Regression test: the message proposed a name that was then rejected.
 #[test]
-fn the_start_that_is_proposed_for_a_centre_of_mass_works() {
+fn proposed_start_of_centre_of_mass_works() {
     let lever = "[ground]\nA = [0, 0]\nO = [0, -100]\n[driver]\nlink = \"crank\"\nangle = 30\n\
         [links]\ncrank = { from = \"A\", to = \"B\", length = 50 }\n\
         table = { points = { O = [0, 0] }, com = [80, 0], mass = 1 }\n\
@@ -185,7 +186,7 @@ fn the_start_that_is_proposed_for_a_centre_of_mass_works() {
         let heard = run(command(&["table", "-", "--format", "csv"]).write_stdin(started));
         assert_eq!(heard.code, 0, "{line}: {}", heard.err);
     }
-    // What is saved as a start is read again.
+    // A saved start can be read again.
     let started = format!("{lever}[start]\n\"table.com\" = [26, -24]\n");
     let saved = run(command(&["start", "-", "--assembly", "table=-"]).write_stdin(started));
     assert!(
@@ -199,7 +200,7 @@ fn the_start_that_is_proposed_for_a_centre_of_mass_works() {
 }
 
 #[test]
-fn check_gives_the_range_as_doubles_and_with_12_decimals() {
+fn check_prints_range_as_doubles_and_with_12_decimals() {
     let full = json(&done(&["check", "four-bar", "--format", "json"]));
     assert_eq!(full["range"], serde_json::json!([0.0, 360.0]));
     assert_eq!(full["period"], 360.0);
@@ -214,7 +215,7 @@ fn check_gives_the_range_as_doubles_and_with_12_decimals() {
 }
 
 #[test]
-fn check_tells_the_extremes_of_the_transmission_angle() {
+fn check_reports_extremes_of_transmission_angle() {
     let text = done(&["check", "slider-crank"]);
     let told = "angle      transmission angle at C: smallest 60.0000 deg, at 90 deg; largest\n\
                 \x20            90.0000 deg, at 0 deg\n";
@@ -234,9 +235,9 @@ fn check_tells_the_extremes_of_the_transmission_angle() {
     );
 }
 
-/// The state of a near miss is ok, so the note is all that tells of it.
+/// The state of a near miss is ok, so only the note reports it.
 #[test]
-fn a_near_miss_of_a_change_point_is_noted() {
+fn near_miss_of_change_point_is_noted() {
     let scene = MINE
         .replace("length = 2.5", "length = 1.0000001")
         .replace("c = [4, 0]", "");
@@ -261,7 +262,7 @@ fn a_near_miss_of_a_change_point_is_noted() {
 }
 
 #[test]
-fn check_in_json_names_every_part() {
+fn check_json_names_every_part() {
     let facts = json(&done(&["check", "slider-crank", "--format", "json"]));
     assert_eq!(facts["unit"], "cm");
     assert_eq!(facts["driver"]["kind"], "link");
@@ -273,7 +274,7 @@ fn check_in_json_names_every_part() {
 }
 
 #[test]
-fn a_scene_comes_from_standard_input() {
+fn scene_can_come_from_standard_input() {
     let mut on_stdin = command(&["check", "-"]);
     let heard = run(on_stdin.write_stdin(MINE));
     assert_eq!((heard.code, heard.err.as_str()), (0, ""));
@@ -301,7 +302,7 @@ fn a_scene_comes_from_standard_input() {
 }
 
 #[test]
-fn a_file_wins_over_a_preset_only_by_path() {
+fn file_takes_precedence_over_preset_only_by_path() {
     let here = folder("by-path");
     std::fs::write(here.join("four-bar"), MINE).unwrap();
     std::fs::write(here.join("mine"), MINE).unwrap();
@@ -317,7 +318,7 @@ fn a_file_wins_over_a_preset_only_by_path() {
 }
 
 #[test]
-fn what_cannot_be_read_is_refused() {
+fn unreadable_scenes_are_rejected() {
     for (name, phrase) in [
         ("four-bra", "did you mean the preset `four-bar`?"),
         ("tabel", "did you mean the command `table`?"),
@@ -335,9 +336,9 @@ fn what_cannot_be_read_is_refused() {
     assert!(endless.contains("1 MiB"), "{endless}");
 }
 
-/// What makes the scene itself impossible is told by every command, with its line.
+/// Every command reports an impossible scene with its line.
 #[test]
-fn an_impossible_scene_ends_with_2_for_every_command() {
+fn impossible_scene_exits_with_2_and_names_the_line() {
     let file = folder("impossible").join("open.toml");
     std::fs::write(&file, MINE.replace("length = 3", "length = 9")).unwrap();
     let file = file.to_str().unwrap();
@@ -348,7 +349,7 @@ fn an_impossible_scene_ends_with_2_for_every_command() {
 }
 
 #[test]
-fn check_shows_no_rounding_of_zero() {
+fn check_prints_zero_without_rounding_error() {
     let text = done(&["check", "toggle-press"]);
     assert!(
         text.contains("S: + at (0, 0), - at (0, -440.744) now"),
@@ -359,7 +360,7 @@ fn check_shows_no_rounding_of_zero() {
 }
 
 #[test]
-fn both_cranks_of_a_parallelogram_turn() {
+fn check_classifies_double_cranks() {
     for preset in ["parallelogram", "antiparallelogram", "kite"] {
         let text = done(&["check", preset]);
         let class = "four-bar, double crank: change point, s + l = p + q";
@@ -370,7 +371,7 @@ fn both_cranks_of_a_parallelogram_turn() {
 }
 
 #[test]
-fn check_lists_parameters_with_what_they_are_worth() {
+fn check_lists_parameters_with_their_values() {
     let text = MINE.replacen(
         "[ground]",
         "[parameters]\nrod = \"2 * crank + 0.1 + 0.2\"\ncrank = 1.35\n[ground]",
@@ -389,12 +390,12 @@ fn check_lists_parameters_with_what_they_are_worth() {
         { "name": "crank", "value": 1.35 },
     ]);
     assert_eq!(found["parameters"], expected);
-    // Without any nothing is told of them.
+    // A scene without parameters has no such line.
     assert!(!done(&["check", "four-bar"]).contains("parameters"));
 }
 
 #[test]
-fn check_tells_knots_that_the_motion_never_comes_to() {
+fn check_reports_unreachable_knots() {
     let text = presets::find("double-rocker").unwrap().text;
     let load = "[[loads]]\npoint = \"P\"\nforce = [10, 0]\n\
                 over = [[0, 1], [20, 2], [50, 3], [101, 4], [110, 5], [400, 6]]\n[vectors]";
@@ -410,9 +411,9 @@ fn check_tells_knots_that_the_motion_never_comes_to() {
     assert!(!done(&["check", "drag-link-press"]).contains("never reaches"));
 }
 
-/// A figure is made of columns and of parameters, with their units or plain.
+/// A figure can combine columns and parameters, with or without units.
 #[test]
-fn figures_may_name_parameters() {
+fn figures_can_use_parameters() {
     let text = MINE.replacen(
         "[ground]",
         "[parameters]\ncrank = 1.35\n[figures]\npast = \"C.x - 2 * crank * 1 cm\"\n[ground]",
@@ -436,11 +437,11 @@ fn figures_may_name_parameters() {
         .filter_map(|cell| cell.parse().ok())
         .collect();
     assert!((row[1] - 2.7 - row[2]).abs() < 1e-12, "{table}");
-    // As a length it needs its unit.
+    // A length needs a unit.
     std::fs::write(&file, text.replace(" * 1 cm", "")).unwrap();
     let said = refused(2, &["check", name]);
     assert!(said.contains("`2 * crank` is a plain number"), "{said}");
-    // It may bring that along.
+    // The parameter itself can have the unit.
     let text = text
         .replace(" * 1 cm", "")
         .replace("crank = 1.35", "crank = \"13.5 mm\"");
@@ -449,9 +450,9 @@ fn figures_may_name_parameters() {
     assert!(done(&["check", name]).contains(told));
 }
 
-/// At the place that its drawing gives the slide is at 0, and is computed 2.5e-15 mm below: within its bound.
+/// The slide is drawn at 0 and is computed 2.5e-15 mm below, which is within its bound.
 #[test]
-fn a_slide_within_its_bound_of_zero_has_no_sign() {
+fn slide_within_its_bound_of_zero_is_not_negative() {
     let scene = |through: &str| {
         format!(
             r#"
@@ -488,9 +489,9 @@ Q = [53.783203125, 27.779296875]
     }
 }
 
-/// Each end of a limited range has its own error: of the slider-crank with a stop too short to turn.
+/// Each end of a limited range has its own error; here the coupler is too short for a full turn.
 #[test]
-fn check_tells_the_error_of_each_end() {
+fn check_reports_error_of_each_range_end() {
     let text = MINE.replace("length = 3 }", "length = 1.7 }");
     let file = folder("end_errors").join("scene.toml");
     std::fs::write(&file, text.replace("C = [3, 2]", "C = [1.7, 0.7]")).unwrap();

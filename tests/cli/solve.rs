@@ -1,14 +1,14 @@
-//! `krank solve`: designs that meet goals against closed formulas, what is written, and what is refused.
+//! Tests of `krank solve`: designs that meet goals, against closed forms; written scenes and rejected arguments.
 
 use super::{done, folder, json, krank};
 
-/// The stroke of an offset slider-crank: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
+/// Returns the stroke of an offset slider-crank: sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2).
 fn stroke(r: f64, l: f64, e: f64) -> f64 {
     ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
 }
 
 #[test]
-fn a_page_tells_the_designs_beside_the_given_one() {
+fn report_lists_found_designs_next_to_the_given_one() {
     let text = done(&[
         "solve",
         "slider-crank",
@@ -33,9 +33,9 @@ fn a_page_tells_the_designs_beside_the_given_one() {
     assert!((found - 6.5).abs() < 1e-9, "{text}");
 }
 
-/// What is written opens as any scene, and has the stroke that was wished.
+/// The written scene opens like any other and has the requested stroke.
 #[test]
-fn the_scene_that_is_written_meets_the_goal() {
+fn written_scene_meets_the_goal() {
     let file = folder("solve").join("found.toml");
     let file = file.to_str().unwrap();
     let found = json(&done(&[
@@ -82,9 +82,9 @@ fn the_scene_that_is_written_meets_the_goal() {
     assert!(again.contains("one design"), "{again}");
 }
 
-/// Where nothing meets a goal the nearest is told, and it is not called done.
+/// If no design meets the goal, the nearest one is printed, but not as a solution.
 #[test]
-fn a_goal_that_cannot_be_met_is_said() {
+fn unreachable_goal_exits_with_1_and_prints_nearest_design() {
     let heard = krank(&[
         "solve",
         "slider-crank",
@@ -105,8 +105,8 @@ fn a_goal_that_cannot_be_met_is_said() {
 }
 
 #[test]
-fn the_best_is_found_on_the_limit() {
-    // In line the transmission angle is least where the crank is across: cos = r / l.
+fn optimum_lies_on_the_transmission_limit() {
+    // Without offset, the transmission angle has its minimum when the crank is across: cos = r / l.
     let found = json(&done(&[
         "solve",
         "slider-crank",
@@ -127,7 +127,7 @@ fn the_best_is_found_on_the_limit() {
 }
 
 #[test]
-fn what_is_no_search_is_refused_with_a_mend() {
+fn invalid_searches_are_rejected_with_a_fix() {
     for (args, words) in [
         (vec!["--vary", "r2.length"], "--goal"),
         (
@@ -178,9 +178,9 @@ fn what_is_no_search_is_refused_with_a_mend() {
     }
 }
 
-/// Used to be an empty column, and no reason anywhere.
+/// Regression test: the column was empty, without any reason.
 #[test]
-fn a_figure_that_no_design_has_is_told_with_the_reason() {
+fn missing_goal_value_is_reported_with_the_reason() {
     let goal = [
         "solve",
         "four-bar",
@@ -200,7 +200,7 @@ fn a_figure_that_no_design_has_is_told_with_the_reason() {
         text.contains("driver.angle.ratio: it turns fully"),
         "{text}"
     );
-    // The number of cells is that of the heads.
+    // The table has no column for a nearest design.
     let heads = text
         .lines()
         .find(|line| line.trim_start().starts_with("given  ") || line.trim() == "given");

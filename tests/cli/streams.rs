@@ -1,4 +1,4 @@
-//! Pipes, files and memory.
+//! Tests of pipes, output files and memory use.
 
 use super::{Run, command, done, folder, krank, refused};
 use std::io::{BufRead, BufReader};
@@ -16,7 +16,7 @@ fn spawned(args: &[&str]) -> Child {
 const LONG: [&str; 6] = ["sweep", "four-bar", "--step", "0.001", "--columns", "C.x"];
 
 #[test]
-fn a_closed_pipe_ends_quietly() {
+fn closed_pipe_exits_with_0_and_no_message() {
     for format in ["csv", "json", "text"] {
         let mut child = spawned(&[&LONG[..], &["--format", format]].concat());
         let mut first = String::new();
@@ -29,9 +29,9 @@ fn a_closed_pipe_ends_quietly() {
     }
 }
 
-/// Also where nothing could be written at all, and for what clap itself prints.
+/// The pipe is closed before the first byte; also tests output printed by clap itself.
 #[test]
-fn a_pipe_closed_from_the_start_ends_quietly() {
+fn pipe_closed_before_output_exits_with_0_and_no_message() {
     for args in [&["list"][..], &["--help"], &["table", "press"], &["man"]] {
         let mut child = spawned(args);
         drop(child.stdout.take());
@@ -43,7 +43,7 @@ fn a_pipe_closed_from_the_start_ends_quietly() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_long_sweep_takes_no_more_memory_than_a_short_one() {
+fn long_sweep_uses_constant_memory() {
     let peak = |child: &Child| {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
         let line = status.lines().find(|l| l.starts_with("VmHWM")).unwrap();
@@ -54,7 +54,7 @@ fn a_long_sweep_takes_no_more_memory_than_a_short_one() {
     let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
     lines.nth(1000).unwrap().unwrap();
     let early = peak(&child);
-    // The pipe holds a few thousand rows back, so that the program still runs.
+    // The pipe buffers a few thousand rows, so the program is still running.
     lines.nth(330_000).unwrap().unwrap();
     let late = peak(&child);
     assert!(late < early + 1024, "{early} kB grew to {late} kB");
@@ -63,7 +63,7 @@ fn a_long_sweep_takes_no_more_memory_than_a_short_one() {
 }
 
 #[test]
-fn results_go_to_a_file_if_asked() {
+fn output_option_writes_results_to_a_file() {
     let file = folder("to-a-file").join("out.csv");
     let path = file.to_str().unwrap();
     for args in [
@@ -82,7 +82,7 @@ fn results_go_to_a_file_if_asked() {
 }
 
 #[test]
-fn a_file_that_cannot_be_written_ends_with_1() {
+fn unwritable_output_file_exits_with_1() {
     let message = refused(1, &["sweep", "four-bar", "-o", "/no/such/folder/x.csv"]);
     assert!(
         message.contains("cannot write `/no/such/folder/x.csv`: No such file"),
@@ -92,7 +92,7 @@ fn a_file_that_cannot_be_written_ends_with_1() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_ends_with_1() {
+fn full_disk_exits_with_1() {
     for command in ["table", "sweep", "check"] {
         let message = refused(1, &[command, "four-bar", "-o", "/dev/full"]);
         assert!(
@@ -102,10 +102,10 @@ fn a_full_disk_ends_with_1() {
     }
 }
 
-/// What clap itself prints used to be lost without a word.
+/// Regression test: failed writes of clap's own output were ignored.
 #[cfg(target_os = "linux")]
 #[test]
-fn help_and_version_are_not_lost_in_silence() {
+fn failed_write_of_help_or_version_is_reported() {
     for argument in ["--help", "--version", "list", "help", "man", "config"] {
         let full = std::fs::OpenOptions::new()
             .write(true)
@@ -127,7 +127,7 @@ fn help_and_version_are_not_lost_in_silence() {
 }
 
 #[test]
-fn a_refused_command_leaves_an_older_file_alone() {
+fn rejected_command_keeps_existing_output_file() {
     let file = folder("kept").join("kept.csv");
     std::fs::write(&file, "kept").unwrap();
     let path = file.to_str().unwrap();
@@ -137,10 +137,10 @@ fn a_refused_command_leaves_an_older_file_alone() {
 }
 
 #[test]
-fn messages_are_ascii_where_the_locale_is_and_never_act_on_the_terminal() {
+fn messages_replace_characters_unsafe_for_the_terminal() {
     let Run { code, err, .. } = krank(&["check", "k\u{fc}rbel\u{3b8}\u{1b}[2J.toml"]);
     assert_eq!(code, 2);
-    // A letter becomes that which it looks like; what looks like none, or acts, is marked.
+    // Letters are replaced by similar ASCII letters; other and control characters become `?`.
     assert!(err.contains("`kurbel??[2J.toml`"), "{err}");
     let mut utf8 = command(&["check", "k\u{fc}rbel\u{1b}.toml"]);
     let heard = super::run(utf8.env("LC_ALL", "C.UTF-8").env("TERM", "xterm"));

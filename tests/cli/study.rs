@@ -1,4 +1,5 @@
-//! `study`: rows against closed formulas, the same bytes whatever the threads, parts, files that are gone on with, charts.
+//! Tests of `study`: rows against closed forms, identical bytes for any number of threads and
+//! parts, resumed files, and charts.
 
 use super::{Run, done, folder, json, krank, refused, rows};
 use std::fs;
@@ -10,8 +11,8 @@ fn study<'a>(more: &[&'a str]) -> Vec<&'a str> {
     [&["study", CRANK, "--columns", COLUMNS], more].concat()
 }
 
-/// The stroke between the dead centres, where crank and rod are in line, and the time ratio: the crank is then at the
-/// angles whose sines are e / (l + r) and, beyond the pivot, e / (l - r).
+/// Returns stroke and time ratio. At the dead centres, crank and rod are in line: the sines of the
+/// crank's angles are e / (l + r) and, beyond the pivot, e / (l - r).
 fn closed(r: f64, l: f64, e: f64) -> [f64; 2] {
     let far = ((l + r).powi(2) - e * e).sqrt();
     let near = ((l - r).powi(2) - e * e).sqrt();
@@ -26,7 +27,7 @@ fn number(cell: &str) -> f64 {
 }
 
 #[test]
-fn rows_are_those_of_the_closed_formulas() {
+fn rows_match_the_closed_forms() {
     let csv = done(&study(&[
         "--vary",
         "r2.length=30..50/3,r3.length=110..150/5,r4.through.y=-20..-10/2",
@@ -60,9 +61,9 @@ fn rows_are_those_of_the_closed_formulas() {
     }
 }
 
-/// In any number of threads, and in parts put together.
+/// Rows are identical for any number of threads, and for parts put together.
 #[test]
-fn rows_are_the_same_bytes_whoever_does_them() {
+fn rows_do_not_depend_on_threads_or_parts() {
     let vary = ["--vary", "r2.length=30..50/14,r3.length=85..150/5"];
     let alone = krank(&study(&[&vary[..], &["--threads", "1"]].concat()));
     assert_eq!(alone.code, 0, "{}", alone.err);
@@ -80,9 +81,9 @@ fn rows_are_the_same_bytes_whoever_does_them() {
     assert_eq!(whole, alone.out);
 }
 
-/// What was cut off anywhere is whole again; a file of something else is left alone.
+/// A file truncated anywhere is completed; a file of another study is not changed.
 #[test]
-fn a_file_is_gone_on_with() {
+fn resume_completes_truncated_files_and_rejects_others() {
     let path = folder("study").join("designs.csv");
     let file = path.to_str().unwrap();
     let args = study(&[
@@ -115,7 +116,7 @@ fn a_file_is_gone_on_with() {
         file,
         "--resume",
     ]);
-    // The last row has another crank.
+    // The last row has another crank length.
     assert!(refused(2, &other).contains("belongs to another study: line 41 "));
     let other = study(&["--vary", "r2.length=30..50/4", "-o", file, "--resume"]);
     assert!(refused(2, &other).contains("belongs to another study: line 1 "));
@@ -132,7 +133,7 @@ fn a_file_is_gone_on_with() {
     }
 }
 
-/// A row in the middle that is not what the study writes there is found, and the file is left alone.
+/// A changed row in the middle is detected, and the file is not changed.
 #[test]
 fn resume_rejects_a_file_in_which_a_row_was_changed() {
     let path = folder("study-changed").join("designs.csv");
@@ -156,9 +157,9 @@ fn resume_rejects_a_file_in_which_a_row_was_changed() {
     assert_eq!(fs::read_to_string(&path).unwrap(), changed);
 }
 
-/// With the crank at 60 deg the rod has to reach 40 sin 60 deg + 50 = 84.6 mm down to the guide.
+/// With the crank at 60 deg, the rod must reach 40 sin 60 deg + 50 = 84.6 mm down to the guide.
 #[test]
-fn what_does_not_assemble_is_a_row_that_says_why() {
+fn failed_designs_are_rows_with_a_reason() {
     let vary = "r3.length=80..100/2";
     let Run { code, out, err } = krank(&study(&["--vary", vary]));
     assert_eq!(code, 0);
@@ -179,7 +180,7 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     assert_eq!(found[0][..4], ["0", "", "", "unreadable"]);
     assert!(found[0][4].contains("length"), "{}", found[0][4]);
 
-    // A figure alone is missing: the rod turns round in no slider-crank, and its direction has a swing; the crank's not.
+    // Only one value is missing: the rod of a slider-crank has a swing, but the crank turns fully.
     let args = [
         "study",
         CRANK,
@@ -209,7 +210,7 @@ fn what_does_not_assemble_is_a_row_that_says_why() {
     );
 }
 
-/// A study that ends with 1 has rows nevertheless.
+/// Runs a study that exits with 1 but still prints rows, and returns the message.
 fn refused_with_rows(args: &[&str]) -> String {
     let run = krank(args);
     assert_eq!(run.code, 1, "{}", run.err);
@@ -218,7 +219,7 @@ fn refused_with_rows(args: &[&str]) -> String {
 }
 
 #[test]
-fn a_hypercube_is_the_same_for_the_same_seed() {
+fn latin_hypercube_is_determined_by_its_seed() {
     let latin = |seed| {
         done(&study(&[
             "--vary",
@@ -239,7 +240,7 @@ fn a_hypercube_is_the_same_for_the_same_seed() {
 }
 
 #[test]
-fn what_varies_is_named_and_has_ends() {
+fn invalid_variations_are_rejected() {
     for (vary, message) in [
         ("r3.lenght=1..2/2", "r3.length"),
         ("r3.length", "has no limits: write r3.length=280..320"),
@@ -278,7 +279,7 @@ fn what_varies_is_named_and_has_ends() {
 }
 
 #[test]
-fn json_and_text_say_the_same() {
+fn json_and_text_contain_the_same_values() {
     let vary = ["--vary", "r2.length=30..40/2", "--format"];
     let found = json(&done(&study(&[&vary[..], &["json"]].concat())));
     assert_eq!(found["units"]["r4.length.stroke"], "mm");
@@ -298,7 +299,7 @@ fn json_and_text_say_the_same() {
 }
 
 #[test]
-fn one_value_is_a_curve_and_two_are_a_map() {
+fn one_variable_gives_a_curve_and_two_give_a_map() {
     let one = [
         "--vary",
         "r2.length=30..60/7",

@@ -1,4 +1,4 @@
-//! `sweep`: columns, rows and numbers.
+//! Tests of `sweep`: columns, rows and numbers.
 
 use super::{Run, command, done, folder, json, krank, refused, rows, run};
 
@@ -6,13 +6,13 @@ fn header(csv: &str) -> &str {
     csv.lines().next().unwrap()
 }
 
-/// The first column as text.
+/// Returns the first column as text.
 fn driver(csv: &str) -> Vec<String> {
     rows(csv).into_iter().map(|row| row[0].clone()).collect()
 }
 
 #[test]
-fn columns_bear_units_and_stand_between_the_driver_and_the_state() {
+fn columns_have_units_and_lie_between_driver_and_state() {
     let args = ["sweep", "four-bar", "--to", "0", "--columns"];
     let sweep = |columns| done(&[&args[..], &[columns]].concat());
     assert_eq!(
@@ -47,7 +47,7 @@ fn columns_bear_units_and_stand_between_the_driver_and_the_state() {
 }
 
 #[test]
-fn without_columns_there_are_all_vectors_and_points() {
+fn default_columns_are_all_vectors_and_points() {
     let csv = done(&["sweep", "slider-crank", "--to", "0"]);
     let names: Vec<_> = header(&csv).split(',').collect();
     assert_eq!(names.len(), 1 + 2 * 3 + 6 + 4 * 6 + 1, "{names:?}");
@@ -62,7 +62,7 @@ fn without_columns_there_are_all_vectors_and_points() {
 }
 
 #[test]
-fn a_driven_slide_gives_its_position() {
+fn driven_slide_writes_driver_position() {
     let csv = done(&["sweep", "excavator-boom"]);
     assert!(header(&csv).starts_with("driver.position [m],"), "{csv}");
     let rows = rows(&csv);
@@ -70,7 +70,7 @@ fn a_driven_slide_gives_its_position() {
 }
 
 #[test]
-fn rows_stand_on_the_nearest_doubles() {
+fn driver_values_are_the_nearest_doubles() {
     let csv = done(&["sweep", "four-bar", "--step", "0.1", "--columns", "C.x"]);
     let written = driver(&csv);
     assert_eq!(written.len(), 3601);
@@ -81,7 +81,7 @@ fn rows_stand_on_the_nearest_doubles() {
 }
 
 #[test]
-fn ends_and_signs() {
+fn range_and_step_signs_give_expected_rows() {
     let at = |args: &[&str]| {
         let all = [&["sweep", "four-bar", "--columns", "C.x"], args].concat();
         driver(&done(&all))
@@ -105,9 +105,9 @@ fn ends_and_signs() {
     assert_eq!(at(&["--from=-1e0", "--to=+1E0"]), ["-1", "0", "1"]);
 }
 
-/// A default sweep begins and ends on the limits themselves: positions are there, rates are not.
+/// A default sweep starts and ends exactly at the limits, where positions exist but rates do not.
 #[test]
-fn a_limited_motion_is_swept_from_limit_to_limit() {
+fn default_range_ends_at_limits_with_positions_but_no_rates() {
     let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
     let csv = done(&["sweep", "double-rocker", "--columns", "C.x,C.vx,C.ax"]);
     let rows = rows(&csv);
@@ -126,7 +126,7 @@ fn a_limited_motion_is_swept_from_limit_to_limit() {
 }
 
 #[test]
-fn rows_outside_the_motion_are_empty_and_noted() {
+fn rows_outside_motion_are_empty_and_counted() {
     let args = [
         "sweep",
         "double-rocker",
@@ -157,7 +157,7 @@ fn rows_outside_the_motion_are_empty_and_noted() {
 }
 
 #[test]
-fn a_sweep_without_any_value_ends_with_1() {
+fn sweep_entirely_outside_motion_exits_with_1() {
     let run = krank(&["sweep", "double-rocker", "--from", "0", "--to", "10"]);
     assert_eq!(run.code, 1);
     assert!(
@@ -170,7 +170,7 @@ fn a_sweep_without_any_value_ends_with_1() {
 }
 
 #[test]
-fn what_makes_no_sweep_is_refused() {
+fn sweep_rejects_invalid_ranges_and_columns() {
     for (args, phrase) in [
         (&["--step", "0"][..], "the step must not be 0"),
         (
@@ -207,7 +207,7 @@ fn what_makes_no_sweep_is_refused() {
     }
 }
 
-/// The three formats say the same; CSV and JSON to the last bit.
+/// CSV, JSON and text agree; CSV and JSON to the last bit.
 #[test]
 fn formats_agree() {
     let args = ["sweep", "press-ram", "--step", "7.3", "--format"];
@@ -229,7 +229,7 @@ fn formats_agree() {
             let rounded: f64 = shown[i].parse().unwrap();
             let slack = 1e-3 * exact.abs();
             let turned = name.ends_with(".angle") && rounded == 0.0 && exact > 359.0;
-            // Text shows zero where the error may be all that there is.
+            // Text shows zero if the value may be nothing but rounding error.
             let nought = rounded == 0.0 && exact.abs() < 1e-9;
             assert!(
                 (rounded - exact).abs() <= slack || turned || nought,
@@ -249,7 +249,7 @@ fn text_columns_line_up() {
 }
 
 #[test]
-fn directions_lie_in_the_half_open_turn_and_the_driver_counts_turns() {
+fn angles_are_normalized_but_driver_counts_turns() {
     let csv = done(&[
         "sweep",
         "four-bar",
@@ -271,9 +271,9 @@ fn directions_lie_in_the_half_open_turn_and_the_driver_counts_turns() {
     assert_eq!(driver(&csv).first().unwrap(), "-720");
 }
 
-/// A turn later everything is the same to the bit.
+/// Values after whole turns are the same to the last bit.
 #[test]
-fn a_turn_later_the_rows_are_the_same() {
+fn rows_are_identical_after_ten_million_turns() {
     let values = |from: &str, to: &str| {
         let csv = done(&[
             "sweep",
@@ -291,9 +291,9 @@ fn a_turn_later_the_rows_are_the_same() {
     assert_eq!(values("0", "360"), values("3600000000", "3600000360"));
 }
 
-/// What is known of a figure's errors stands behind it, each in its own column.
+/// Bound and sensitivity follow their value, each in its own column.
 #[test]
-fn errors_stand_behind_their_figures() {
+fn bound_and_sensitivity_follow_their_column() {
     let args = [
         "sweep",
         "four-bar",
@@ -321,7 +321,7 @@ fn errors_stand_behind_their_figures() {
     }
     let names = [&args[..], &["--bounds", "--no-units"]].concat();
     assert!(done(&names).starts_with("driver.angle,C.x,C.x.bound,r4.omega,r4.omega.bound,state\n"));
-    // The same in JSON, to the bit.
+    // JSON has the same bounds, to the bit.
     let object = json(&done(
         &[&args[..], &["--bounds", "--format", "json"]].concat(),
     ));
@@ -332,9 +332,9 @@ fn errors_stand_behind_their_figures() {
     assert_eq!(text.matches(" +-").count(), 2 * 7, "{text}");
 }
 
-/// What cannot be said is an empty cell or null, and how often is told.
+/// Unknown bounds and sensitivities are empty cells, and a note counts them.
 #[test]
-fn errors_that_cannot_be_told_are_empty_and_counted() {
+fn unknown_errors_are_empty_and_counted() {
     let heard = krank(&[
         "sweep",
         "parallelogram",
@@ -350,7 +350,7 @@ fn errors_that_cannot_be_told_are_empty_and_counted() {
         .iter()
         .map(|row| row[2].is_empty())
         .collect();
-    // Change points at 0, 180 and 360 deg: limits, of which nothing is proved.
+    // Change points at 0, 180 and 360 deg are limits, where nothing can be proved.
     assert_eq!(empty, [true, false, true, false, true]);
     assert!(
         rows(&heard.out)
@@ -373,9 +373,9 @@ fn errors_that_cannot_be_told_are_empty_and_counted() {
     );
 }
 
-/// Used to be nothing that anybody would wait for: derivatives without end are refused at once.
+/// Regression test: this ran practically forever. Too many derivatives are now rejected at once.
 #[test]
-fn too_many_derivatives_are_refused() {
+fn sensitivity_rejects_too_many_derivatives() {
     let mut text = "[ground]\nA = [0, 0]\n".to_owned();
     let (mut links, mut start) = (String::new(), String::new());
     for i in 0..400 {
@@ -399,9 +399,9 @@ fn too_many_derivatives_are_refused() {
     }
 }
 
-/// Patterns mean what they meant before there were figures that come by their names.
+/// Patterns do not match derived columns; these appear only by name.
 #[test]
-fn what_is_made_of_others_comes_when_it_is_named() {
+fn derived_columns_appear_only_when_named() {
     let all = done(&["sweep", "four-bar-load", "--to", "0", "--no-units"]);
     let starred = [
         "sweep",
@@ -432,9 +432,9 @@ fn what_is_made_of_others_comes_when_it_is_named() {
     assert!(message.contains("no loads, springs or masses"), "{message}");
 }
 
-/// A formula is the arithmetic that a spreadsheet would do with the cells beside it.
+/// A formula gives what a spreadsheet would compute from the cells of its row.
 #[test]
-fn a_formula_is_the_arithmetic_of_the_cells() {
+fn formula_equals_arithmetic_of_its_cells() {
     let csv = done(&[
         "sweep",
         "four-bar",
@@ -461,10 +461,10 @@ fn a_formula_is_the_arithmetic_of_the_cells() {
     assert!(turns > 5, "{turns}");
 }
 
-/// Eight rows at once, of which some do not go together, give what each gives alone; and of a figure that does not
-/// exist and one that does, neither is the smaller.
+/// Rows solved together, eight at a time, equal the rows solved alone, even if they diverge. If
+/// only one argument of `min` or `max` exists, the result does not exist.
 #[test]
-fn rows_that_are_solved_at_once_are_those_that_are_solved_alone() {
+fn rows_solved_together_equal_rows_solved_alone() {
     for formula in [
         "x = max(0 deg, driver.angle - r4.angle)",
         "x = min(driver.angle - r4.angle, 200 deg)",
@@ -495,9 +495,9 @@ fn rows_that_are_solved_at_once_are_those_that_are_solved_alone() {
     assert_eq!(rows(&csv)[0][1..5], ["", "", "", ""], "{csv}");
 }
 
-/// Where doubles hardly hold a product, no bound would cover what is lost: there is no figure.
+/// If a product underflows, no bound could cover the loss, so there is no value.
 #[test]
-fn what_is_lost_in_a_product_is_no_figure() {
+fn underflow_in_products_gives_no_value() {
     let columns = "u = 1e-200 * 1e-200 * 1e300 * 1e90,v = 1e-200 * C.x * 1e-200 * 1e300,w = 0 * C.x,z = 1e-150 / 1e150";
     let csv = done(&[
         "sweep",
@@ -516,10 +516,10 @@ fn what_is_lost_in_a_product_is_no_figure() {
     );
 }
 
-/// Nor where it is lost on the way: in a number as it is typed, in radians, in the sine of next to nothing. A length of
-/// next to nothing is right, and its bound knows by how much.
+/// Underflow also gives no value if it happens in a literal, in a conversion to radians or in the
+/// sine of a tiny angle. A tiny length is right, and its bound covers its error.
 #[test]
-fn what_is_lost_on_the_way_is_no_figure() {
+fn underflow_in_intermediate_results_gives_no_value() {
     let columns = "a = 1e-310 * 1e300,b = sin(1e-305 deg * 1e-4) * 1e300,c = atan2(1e-309 * C.x, C.x) / 1e-300 deg,\
                    d = hypot(3e-160, 4e-160) * 1e160,e = hypot(3e-170 mm, 4e-170 mm) / 1e-170 mm,f = sin(180 deg),\
                    g = sin(0 deg) * 1e300,h = hypot(0, 4e-160) * 1e160";
@@ -547,9 +547,9 @@ fn what_is_lost_on_the_way_is_no_figure() {
     }
 }
 
-/// What one formula makes is no measure of another.
+/// A large column must not change the scale of another column's sensitivity.
 #[test]
-fn sensitivities_are_those_of_each_column_alone() {
+fn sensitivity_of_a_column_ignores_other_columns() {
     let sweep = |columns| {
         let all = [
             "sweep",
@@ -567,7 +567,7 @@ fn sensitivities_are_those_of_each_column_alone() {
 }
 
 #[test]
-fn formulas_that_are_wrong_say_why() {
+fn invalid_formulas_report_the_cause() {
     let sweep = |columns| refused(2, &["sweep", "four-bar", "--to", "0", "--columns", columns]);
     for (columns, phrase) in [
         ("x = C.x + C.vx", "`C.x` is in mm and `C.vx` is in mm/s"),
@@ -592,7 +592,7 @@ fn formulas_that_are_wrong_say_why() {
 }
 
 #[test]
-fn figures_of_a_scene_are_known_to_every_command() {
+fn scene_figures_are_columns_of_sweep_and_plot() {
     let scene = include_str!("../../presets/four-bar.toml");
     let figures = "\n[figures]\nfast = \"2 * swing.rate\"\nswing = \"r4.angle - r3.angle\"\n";
     let path = folder("figures").join("scene.toml");
@@ -641,9 +641,9 @@ fn figures_of_a_scene_are_known_to_every_command() {
     );
 }
 
-/// A slot of 250 to 380 mm under a slider-crank of 100 and 300: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
+/// A slot of 250 to 380 mm limits a slider-crank of 100 and 300: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
 #[test]
-fn a_sweep_ends_at_the_stops_with_all_rates() {
+fn default_sweep_ends_at_stops_with_all_rates() {
     let file = folder("stops").join("slot.toml");
     std::fs::write(
         &file,

@@ -1,4 +1,5 @@
-//! `krank synthesize`: what it tells, what it writes, and whether that does its task by a loop closure of the test's own.
+//! Tests of `krank synthesize`: reports, written scenes, and an independent loop closure that
+//! checks whether the scenes fulfil their task.
 
 use super::language::spoken;
 use super::{Run, command, done, folder, json, krank, refused, rows, run};
@@ -6,7 +7,7 @@ use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// A folder that is not there yet.
+/// Returns the path of a folder that does not exist yet.
 fn new_folder(name: &str) -> PathBuf {
     let path = folder("synthesize").join(name);
     if path.exists() {
@@ -15,7 +16,7 @@ fn new_folder(name: &str) -> PathBuf {
     path
 }
 
-/// The task in a file of its own.
+/// Writes a task to a file and returns its path.
 fn task(name: &str, text: &str) -> String {
     let path = folder("synthesize").join(name);
     fs::write(&path, text).unwrap();
@@ -34,19 +35,19 @@ fn away([ax, ay]: [f64; 2], [bx, by]: [f64; 2]) -> f64 {
     (ax - bx).hypot(ay - by)
 }
 
-/// A written scene's numbers.
+/// The dimensions of a written scene.
 struct WrittenFourBar {
     a: [f64; 2],
     d: [f64; 2],
     crank: f64,
     coupler: f64,
     rocker: f64,
-    /// P and, of poses, X on the coupler from B along B-C and across.
+    /// P and, for poses, X on the coupler: coordinates from B along B-C and across.
     led: Vec<[f64; 2]>,
-    /// Where it opens.
+    /// The initial position of C.
     c: [f64; 2],
     angle: f64,
-    /// T1, T2 ..., and X1, X2 ....
+    /// The marks T1, T2 ... and X1, X2 ....
     marks: [Vec<[f64; 2]>; 2],
 }
 
@@ -63,7 +64,7 @@ impl WrittenFourBar {
         };
         let led = &scene["links"]["r3"]["points"];
         let p = led.get("P").map(|_| place("px", "py"));
-        // "px + 20.0 * cos(lean)": P is so far from X, and there.
+        // "px + 20.0 * cos(lean)": X lies at this distance from P, in the direction `lean`.
         let x = led.get("X").map(|x| {
             let mut formula = x[0].as_str().unwrap().split(' ');
             let arm: f64 = formula.nth(2).unwrap().parse().unwrap();
@@ -84,7 +85,7 @@ impl WrittenFourBar {
         }
     }
 
-    /// B and C where the crank stands at an angle in degrees, on a side of B-D.
+    /// Returns B and C at a crank angle in degrees, on one side of B-D.
     fn pins(&self, angle: f64, side: f64) -> Option<[[f64; 2]; 2]> {
         let (sine, cosine) = angle.to_radians().sin_cos();
         let b = [
@@ -99,7 +100,7 @@ impl WrittenFourBar {
         c[0].is_finite().then_some([b, c])
     }
 
-    /// The side on which it opens.
+    /// Returns the side of B-D on which the initial position lies.
     fn side(&self) -> f64 {
         let by = |side: f64| {
             let [_, c] = self.pins(self.angle, side).unwrap();
@@ -108,7 +109,7 @@ impl WrittenFourBar {
         if by(1.0) < by(-1.0) { 1.0 } else { -1.0 }
     }
 
-    /// Where P and X are at an angle of the crank.
+    /// Returns P and X at a crank angle in degrees.
     fn led(&self, angle: f64) -> Vec<[f64; 2]> {
         let [b, c] = self.pins(angle, self.side()).unwrap();
         let (ux, uy) = ((c[0] - b[0]) / self.coupler, (c[1] - b[1]) / self.coupler);
@@ -117,7 +118,8 @@ impl WrittenFourBar {
     }
 }
 
-/// Each written scene comes to the task's points within what the table tells, by the crank angles of the JSON.
+/// Checks that each written scene reaches the points of the task, within the reported errors and at
+/// the crank angles of the JSON.
 fn scenes_do_their_task(example: &str, slack: f64) {
     let out = new_folder(example);
     let at = out.to_str().unwrap();
@@ -132,7 +134,7 @@ fn scenes_do_their_task(example: &str, slack: f64) {
         let checked = krank(&["check", path.to_str().unwrap()]);
         assert_eq!(checked.code, 0, "{}{}", checked.out, checked.err);
         let scene = WrittenFourBar::read(&path);
-        // The same doubles stand in both.
+        // Scene and JSON contain the same doubles.
         assert_eq!(scene.a, pair(&candidate["A"]));
         assert_eq!(scene.d, pair(&candidate["partner"]["D"]));
         let lengths = [scene.crank, scene.coupler, scene.rocker];
@@ -162,20 +164,21 @@ fn scenes_do_their_task(example: &str, slack: f64) {
 }
 
 #[test]
-fn the_scenes_of_poses_come_to_their_poses() {
+fn pose_scenes_reach_their_poses() {
     scenes_do_their_task("wiper", 1e-9);
     scenes_do_their_task("hatch", 1e-6);
 }
 
 #[test]
-fn the_scenes_of_paths_come_to_their_points() {
+fn path_scenes_reach_their_points() {
     scenes_do_their_task("straight-line", 1e-9);
     scenes_do_their_task("stirrer", 1e-7);
 }
 
-/// Of y = log10 x over 60 and 60 degrees, by the law of cosines at 1000 places, against the told structural error.
+/// Computes y = log10 x over 60 and 60 degrees by the law of cosines at 1000 points, and compares
+/// with the reported structural error.
 #[test]
-fn the_scenes_of_a_function_err_by_what_is_told() {
+fn function_scenes_have_the_reported_structural_error() {
     let out = new_folder("logarithm");
     let told = run(command(&["synthesize", "logarithm", "--format", "json", "-o"]).arg(&out));
     let told = json(&told.out);
@@ -192,7 +195,7 @@ fn the_scenes_of_a_function_err_by_what_is_told() {
             .iter()
             .map(number)
             .collect();
-        // Chebyshev's first of five lies so far in; the crank turns 60 degrees over the range.
+        // Inset of the first of five Chebyshev points; the crank turns 60 degrees over the range.
         let inset = 0.5 - 0.5 * (std::f64::consts::PI / 10.0).cos();
         let scale = 60.0 * (angles[4] - angles[0]).signum();
         assert!((angles[4] - angles[0] - scale * (1.0 - 2.0 * inset)).abs() < 1e-9);
@@ -221,7 +224,7 @@ fn the_scenes_of_a_function_err_by_what_is_told() {
     }
 }
 
-/// What rounding leaves differs from machine to machine.
+/// Replaces numbers that are only rounding errors, since these differ between machines.
 fn without_rounding(text: &str) -> String {
     let tiny = |word: &str| word.contains("e-1") && word.parse::<f64>().is_ok_and(|x| x < 1e-9);
     let words = text
@@ -234,14 +237,14 @@ fn without_rounding(text: &str) -> String {
 }
 
 #[test]
-fn the_examples_are_told_shortly() {
+fn example_reports_match_snapshots() {
     for example in ["wiper", "hatch", "logarithm"] {
         let told = done(&["synthesize", example, "--top", "3"]);
         insta::assert_snapshot!(format!("synthesize_{example}"), without_rounding(&told));
     }
 }
 
-/// The commands of a chapter, those that are broken over lines in one.
+/// Returns the commands of a chapter, with continuation lines joined.
 fn commands(text: &str) -> Vec<String> {
     let text = text.replace("\\\n      ", "");
     let lines = text
@@ -250,7 +253,7 @@ fn commands(text: &str) -> Vec<String> {
     lines.map(str::to_owned).collect()
 }
 
-/// The arguments of a line, as a shell takes them apart.
+/// Splits a line into arguments as a shell does.
 pub(super) fn arguments(line: &str) -> Vec<&str> {
     let parts = line.split('\'').enumerate();
     let parts = parts.flat_map(|(k, part)| match k % 2 {
@@ -260,16 +263,16 @@ pub(super) fn arguments(line: &str) -> Vec<&str> {
     parts.collect()
 }
 
-/// What the manual does with a candidate does not lose the task: the body comes to its poses, by a loop closure.
+/// After the manual's edits of a candidate, the body still reaches its poses. Checked by loop closure.
 #[test]
-fn the_manual_s_design_still_does_its_task() {
+fn manual_design_still_reaches_its_poses() {
     let here = new_folder("manual");
     fs::create_dir_all(&here).unwrap();
     let manual = include_str!("../../src/manual/english/synthesis.md");
     let mut kept = Vec::new();
     for line in commands(manual) {
         let args = arguments(&line);
-        // The workbench wants a terminal.
+        // The workbench needs a terminal.
         if args.contains(&"--view") {
             continue;
         }
@@ -287,19 +290,19 @@ fn the_manual_s_design_still_does_its_task() {
             assert!(away(*led, marks[point]) < 1e-5, "{point} {led:?}");
         }
     }
-    // The scene says so itself, and by other figures: the goals of its comment are those of the manual.
+    // The scene's comment names the same goals as the manual.
     let written = fs::read_to_string(&given).unwrap();
     for angle in kept {
         assert!(written.contains(&format!("'P.x@{angle:?} = ")), "{angle}");
     }
-    // What was told of the numbers stands beside them, and is no note of whatever comes of them.
+    // Remarks on the numbers are comments next to them: the edited scene would keep a `note`.
     assert!(!written.contains("\nnote"), "{written}");
     let told = done(&["check", better.to_str().unwrap()]);
     assert!(!told.contains("driven through its task"), "{told}");
 }
 
 #[test]
-fn csv_has_the_doubles_of_json() {
+fn csv_and_json_contain_the_same_doubles() {
     let of = |format: &str| done(&["synthesize", "hatch", "--format", format]);
     let told = json(&of("json"));
     let csv = of("csv");
@@ -343,16 +346,16 @@ fn csv_has_the_doubles_of_json() {
     assert_eq!(table[good.len()][0], "", "what is defective has no number");
     assert_eq!(table[good.len()][column("state")], "circuit");
     assert_eq!(table[good.len() + 1][column("state")], "branch");
-    // What programs read is no matter of the language.
+    // CSV and JSON do not depend on the language.
     for format in ["csv", "json"] {
         let args = ["synthesize", "hatch", "--format", format];
         assert_eq!(spoken("tr", &folder("synthesize"), &args).out, of(format));
     }
 }
 
-/// No four-bar draws a square: the nearest ones are told as such, and none as doing it.
+/// No four-bar draws a square: the nearest ones are reported as too far off, and none as a solution.
 #[test]
-fn what_passes_far_off_does_no_task() {
+fn far_solutions_count_as_failures() {
     let points = "[[0, 0], [50, 0], [100, 0], [100, 50], [100, 100], [50, 100], [0, 100], [0, 50]]";
     let text = format!("kind = \"path\"\nclosed = true\npoints = {points}\n");
     let ended = krank(&[
@@ -373,7 +376,7 @@ fn what_passes_far_off_does_no_task() {
 }
 
 #[test]
-fn scenes_are_not_written_over() {
+fn existing_scenes_are_not_overwritten() {
     let out = new_folder("kept");
     let args = [
         "synthesize",
@@ -386,7 +389,7 @@ fn scenes_are_not_written_over() {
     let first = krank(&args);
     assert_eq!(first.code, 0, "{}", first.err);
     assert!(first.err.contains("1 scene in "), "{}", first.err);
-    // The same again is no loss.
+    // Writing the same scenes again loses nothing.
     assert_eq!(krank(&args).code, 0);
     let path = out.join("candidate-1.toml");
     fs::write(&path, "mine").unwrap();
@@ -395,7 +398,7 @@ fn scenes_are_not_written_over() {
     assert!(again.err.contains("candidate-1.toml"), "{}", again.err);
     assert!(!again.err.contains("exercise"), "{}", again.err);
     assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
-    // A file is no folder.
+    // A file is not accepted as the folder.
     let args = [&args[..5], &[path.to_str().unwrap()]].concat();
     let none = krank(&args);
     assert_eq!(none.code, 1, "{}", none.err);
@@ -407,8 +410,8 @@ fn scenes_are_not_written_over() {
 }
 
 #[test]
-fn what_nothing_does_ends_with_1() {
-    // Three positions in which any one four-bar on these pivots stands on two circuits.
+fn task_without_solution_exits_with_1_and_writes_nothing() {
+    // Any four-bar on these pivots has the three positions on two circuits.
     let text = "kind = \"poses\"\nposes = [[0, 0, 0], [10, 0, 170], [0, 12, 20]]\n\
                 pivots = [[-40, -5], [300, 260]]\n";
     let path = task("nothing.toml", text);
@@ -421,7 +424,7 @@ fn what_nothing_does_ends_with_1() {
 }
 
 #[test]
-fn what_cannot_be_read_ends_with_2() {
+fn unreadable_task_exits_with_2() {
     let message = refused(2, &["synthesize", "wipper"]);
     assert!(message.contains("available: wiper"), "{message}");
     let message = refused(2, &["synthesize", "zzzzzzzzzzz"]);
@@ -434,7 +437,7 @@ fn what_cannot_be_read_ends_with_2() {
 }
 
 #[test]
-fn a_task_comes_by_standard_input() {
+fn task_can_come_from_standard_input() {
     let text = "kind = \"poses\"\nposes = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]\n\
                 pivots = [[0, -100], [200, -100]]\n";
     let mut piped = command(&["synthesize", "-", "--format", "json"]);
@@ -445,7 +448,7 @@ fn a_task_comes_by_standard_input() {
 }
 
 #[test]
-fn a_tolerance_goes_into_the_scene() {
+fn tolerance_option_is_written_to_the_scene() {
     let out = new_folder("tolerance");
     let args = ["synthesize", "hatch", "--top", "1", "--tolerance", "0.1"];
     let ended = run(command(&args).arg("-o").arg(&out));
@@ -467,7 +470,7 @@ fn a_tolerance_goes_into_the_scene() {
 }
 
 #[test]
-fn a_task_is_no_scene_and_a_scene_no_task() {
+fn tasks_and_scenes_are_not_interchangeable() {
     let text = "kind = \"poses\"\nposes = [[0, 0, 0], [1, 1, 10], [2, 0, 20]]\n";
     let path = task("own.toml", text);
     for args in [&["check", path.as_str()][..], &[path.as_str()]] {
@@ -486,7 +489,7 @@ fn a_task_is_no_scene_and_a_scene_no_task() {
 }
 
 #[test]
-fn it_speaks_turkish() {
+fn turkish_report_contains_no_english() {
     let here = folder("synthesize");
     let Run { code, out, err } = spoken("tr", &here, &["synthesize", "hatch"]);
     assert_eq!(code, 0, "{err}");

@@ -1,10 +1,10 @@
-//! `table`: the lectures' tables, and the figures that the lectures print.
+//! Tests of `table`: the layout of the lectures' tables, and the values printed in the lectures.
 
 use super::{PARALLEL_CRANKS, command, done, json, krank, refused, rows, run};
 use std::collections::BTreeMap;
 
 #[test]
-fn the_tables_of_the_four_bar_are_laid_out_as_in_the_lectures() {
+fn four_bar_tables_have_the_lecture_layout() {
     let text = done(&["table", "four-bar", "--at", "60"]);
     let expected = "\
 Four-bar crank-rocker
@@ -37,9 +37,9 @@ r4.com                   355.708   116.890   374.422          18.1911
     assert!(text.starts_with(expected), "{text}");
 }
 
-/// A line per figure that some length changes: at the worst, and by the length that matters most.
+/// Each value that depends on a length has a line with its worst-case change and the most important length.
 #[test]
-fn sensitivity_stands_apart_from_the_figures() {
+fn sensitivity_is_a_separate_table() {
     let args = ["table", "four-bar", "--sensitivity"];
     let text = done(&args);
     let (tables, lengths) = text.split_once("\nchange for 1 mm").unwrap();
@@ -75,9 +75,9 @@ fn sensitivity_stands_apart_from_the_figures() {
     );
 }
 
-/// A figure that turns over within rounding keeps its value: its sensitivity is missing, and a note says so.
+/// A value with a kink within rounding error is shown without a sensitivity, and a note counts it.
 #[test]
-fn a_figure_without_a_sensitivity_is_counted() {
+fn values_without_sensitivity_are_counted() {
     let columns = "turn = abs(hypot(C.x - D.x, C.y - D.y) - 250 mm),C.x";
     for args in [
         &["table", "four-bar", "--columns", columns, "--sensitivity"][..],
@@ -104,9 +104,9 @@ fn a_figure_without_a_sensitivity_is_counted() {
     assert_eq!(heard.err, "");
 }
 
-/// A comma is what stands between figures; a number that has one is mended, and one that has a point is not touched.
+/// A comma separates columns. A number with a comma gets a suggestion; a number with a point does not.
 #[test]
-fn a_comma_in_a_formula_is_told() {
+fn decimal_comma_in_formula_gets_a_hint() {
     for columns in ["a = 1,5 mm", "C.x,a = C.x + 1,5 mm", "a = (1,5 mm)"] {
         let told = refused(2, &["table", "four-bar", "--columns", columns]);
         assert!(told.contains("`1.5`"), "{told}");
@@ -115,9 +115,9 @@ fn a_comma_in_a_formula_is_told() {
     assert!(told.contains("5 mm") && !told.contains(".5"), "{told}");
 }
 
-/// With other lengths three parallel cranks would jam: nothing is made up, and it is said why.
+/// With other lengths, three parallel cranks would jam: there is no sensitivity, and a note gives the reason.
 #[test]
-fn where_there_is_no_sensitivity_it_is_said() {
+fn missing_sensitivity_is_explained() {
     let mut command = command(&["table", "-", "--sensitivity", "--format", "json"]);
     let heard = run(command.write_stdin(PARALLEL_CRANKS));
     assert_eq!(heard.code, 0);
@@ -132,9 +132,10 @@ fn where_there_is_no_sensitivity_it_is_said() {
     assert!(text.lines().all(|line| line.len() <= 80), "{text}");
 }
 
-/// A line below the figures, two digits and never too small; in CSV and JSON beside each figure.
+/// Text prints bounds in a line below the values, with two digits and rounded up. CSV and JSON have
+/// a bound for each value.
 #[test]
-fn bounds_stand_below_the_figures() {
+fn bounds_are_printed_below_the_values() {
     let args = ["table", "four-bar", "--bounds"];
     let text = done(&args);
     let without: Vec<&str> = text
@@ -165,9 +166,9 @@ fn bounds_stand_below_the_figures() {
     assert!((bound..bound * 1.11).contains(&shown), "{line}");
 }
 
-/// At a change point nothing is proved of rates that are limits, and that is said.
+/// At a change point, rates are limits without proved bounds, and a note says so.
 #[test]
-fn where_no_bound_is_proved_it_is_said() {
+fn values_without_proved_bound_are_counted() {
     let args = ["table", "parallelogram", "--at", "0", "--bounds"];
     let heard = krank(&args);
     assert_eq!(heard.code, 0);
@@ -189,10 +190,10 @@ fn where_no_bound_is_proved_it_is_said() {
     assert_eq!(row.unwrap()[2..], ["rad/s", "found", ""]);
 }
 
-/// What rounding leaves of a zero is shown as zero, and as it is where all digits are asked for.
+/// A zero with rounding error prints as zero in text, but with all digits in CSV.
 #[test]
-fn zero_is_shown_where_the_bound_says_so() {
-    // The cell draws a straight line: P moves along y alone.
+fn value_within_its_bound_of_zero_prints_as_zero() {
+    // The cell draws a straight line: P moves only along y.
     let args = ["table", "peaucellier", "--at", "45"];
     let velocities = |text: &str| {
         let behind = text.split("velocity of points").nth(1).unwrap().to_owned();
@@ -208,17 +209,17 @@ fn zero_is_shown_where_the_bound_says_so() {
     assert!(vx != 0.0 && vx.abs() < 1e-13, "{vx}");
 }
 
-/// All figures of a table by name.
+/// Returns all values of a table by name.
 fn figures(scene: &str, at: &str) -> BTreeMap<String, f64> {
     let csv = done(&["table", scene, "--at", at, "--format", "csv"]);
     let number = |row: Vec<String>| Some((row[0].clone(), row[1].parse().ok()?));
     rows(&csv).into_iter().filter_map(number).collect()
 }
 
-/// What the lectures print, the exact value, and by how much the printed one may be off: where that
-/// is more than half a unit of its last digit, the notes rounded on the way.
+/// Columns: the value printed in the lectures, the exact value, and the allowed difference of the printed one. Where
+/// that is more than half a unit of its last digit, the notes rounded intermediate results.
 #[test]
-fn the_printed_figures_of_the_four_bar() {
+fn four_bar_matches_values_printed_in_lectures() {
     let found = figures("four-bar", "60");
     for (name, printed, exact, off) in [
         ("r3.angle", 29.3795, 29.379_447_783_733_734, 5.3e-5),
@@ -249,12 +250,12 @@ fn the_printed_figures_of_the_four_bar() {
 }
 
 #[test]
-fn the_printed_figures_of_the_slider_crank() {
+fn slider_crank_matches_values_printed_in_lectures() {
     let found = figures("slider-crank", "30");
     for (name, printed, exact, off) in [
         ("r4.length", 28.0, 28.025_170_768_881_472, 0.026),
         ("r3.angle", 345.5, 345.522_487_814_070_1, 0.023),
-        // The notes went on with theta3 = -14.47 and two decimals of r4.
+        // The notes continued with theta3 = -14.47 and two decimals of r4.
         ("r3.omega", -89.45, -89.442_719_099_991_59, 0.0073),
         ("r4.rate", -1447.93, -1_447.213_595_499_957_9, 0.72),
         ("r3.alpha", 8259.0, 8_262.364_471_909_156, 3.4),
@@ -274,7 +275,7 @@ fn the_printed_figures_of_the_slider_crank() {
 }
 
 #[test]
-fn given_entries_are_told_from_found_ones() {
+fn given_and_found_entries_are_distinguished() {
     let table = json(&done(&["table", "slider-crank", "--format", "json"]));
     let vectors = table["vectors"].as_array().unwrap();
     let given = |name: &str| {
@@ -299,9 +300,9 @@ fn given_entries_are_told_from_found_ones() {
     );
 }
 
-/// A vector between two points of one body keeps its length and turns as the body does.
+/// A vector between two points of one body has constant length and turns with the body.
 #[test]
-fn vectors_between_points_are_given_as_far_as_their_body_is() {
+fn vectors_between_points_have_the_given_entries_of_their_body() {
     let mut command = command(&["table", "-", "--format", "json"]);
     let table = json(&run(command.write_stdin(PARALLEL_CRANKS)).out);
     let vectors = table["vectors"].as_array().unwrap();
@@ -318,12 +319,12 @@ fn vectors_between_points_are_given_as_far_as_their_body_is() {
 }
 
 #[test]
-fn a_link_that_cannot_turn_has_its_direction_given() {
+fn direction_of_non_rotating_link_is_given() {
     let table = json(&done(&["table", "press-ram", "--format", "json"]));
     let vectors = table["vectors"].as_array().unwrap();
     let find = |name: &str| vectors.iter().find(|v| v["name"] == name).unwrap();
     let turning = serde_json::json!(["angle", "omega", "alpha"]);
-    // The guide points up, and the vector runs back along it.
+    // The guide points up, and the vector points back along it.
     assert_eq!(
         (&find("r6")["given"], &find("r6")["angle"]),
         (&turning, &270.0.into())
@@ -339,7 +340,7 @@ fn a_link_that_cannot_turn_has_its_direction_given() {
 }
 
 #[test]
-fn a_driven_slide_is_given_and_what_it_turns_is_found() {
+fn driven_slide_length_is_given_but_its_angle_is_found() {
     let table = json(&done(&["table", "excavator-boom", "--format", "json"]));
     let name = table["driver"]["name"].as_str().unwrap();
     let vectors = table["vectors"].as_array().unwrap();
@@ -349,7 +350,7 @@ fn a_driven_slide_is_given_and_what_it_turns_is_found() {
     assert_eq!(rod["rate"], table["driver"]["rate"]);
 }
 
-/// The forms say the same, and a sweep says it too.
+/// JSON, CSV and a sweep contain the same doubles.
 #[test]
 fn table_and_sweep_agree_to_the_bit() {
     let table = json(&done(&[
@@ -384,7 +385,7 @@ fn table_and_sweep_agree_to_the_bit() {
 }
 
 #[test]
-fn digits_and_units_are_as_asked() {
+fn options_set_digits_and_units() {
     let text = done(&["table", "four-bar", "--digits", "10", "--no-units"]);
     assert!(
         text.contains("\ntheta               60.00000000    29.37944778*"),
@@ -401,13 +402,13 @@ fn digits_and_units_are_as_asked() {
 }
 
 #[test]
-fn a_scene_opens_where_it_says() {
+fn default_position_is_that_of_the_scene() {
     let text = done(&["table", "slider-crank"]);
     assert!(text.contains("\ndriver r2 at 30 deg, 200 rad/s"), "{text}");
 }
 
 #[test]
-fn wide_scenes_wrap_to_a_plain_terminal() {
+fn wide_tables_wrap_at_80_columns() {
     for scene in ["jansen-leg", "scissor-lift", "press"] {
         let text = done(&["table", scene]);
         assert!(text.lines().all(|line| line.len() <= 80), "{text}");
@@ -415,7 +416,7 @@ fn wide_scenes_wrap_to_a_plain_terminal() {
 }
 
 #[test]
-fn at_a_dead_point_positions_are_shown_and_rates_are_not() {
+fn dead_point_shows_positions_but_no_rates() {
     let facts = json(&done(&["check", "double-rocker", "--format", "json"]));
     let limit = facts["range"][0].to_string();
     let text = done(&["table", "double-rocker", "--at", &limit]);
@@ -438,7 +439,7 @@ fn at_a_dead_point_positions_are_shown_and_rates_are_not() {
 }
 
 #[test]
-fn outside_the_motion_there_is_no_table() {
+fn position_outside_motion_exits_with_1() {
     let message = refused(1, &["table", "double-rocker", "--at", "5"]);
     assert!(
         message.starts_with(
@@ -449,8 +450,8 @@ fn outside_the_motion_there_is_no_table() {
 }
 
 #[test]
-fn a_wide_bound_hides_no_figure() {
-    // Bounds grow close to a change point; C moves as B does, and nothing of it is zero.
+fn wide_bound_does_not_hide_the_value() {
+    // Bounds grow near a change point; C moves like B, and no value is zero.
     let text = done(&["table", "parallelogram", "--at", "0.01"]);
     let accelerations = text.split("acceleration of points").nth(1).unwrap();
     let row = |point: &str| {
@@ -463,8 +464,8 @@ fn a_wide_bound_hides_no_figure() {
 }
 
 #[test]
-fn limits_in_a_message_do_not_read_like_what_was_asked_for() {
-    // A digit less than `check` prints is outside by a little.
+fn limits_in_messages_have_enough_digits() {
+    // With one digit less than `check` prints, the position is slightly outside.
     let message = refused(1, &["table", "double-rocker", "--at", "36.8698976458"]);
     assert!(
         message.contains("at 36.8698976458 deg: the driver covers 36.86989764584402 to"),
@@ -474,9 +475,9 @@ fn limits_in_a_message_do_not_read_like_what_was_asked_for() {
     assert!(!message.contains("covers 0."), "{message}");
 }
 
-/// A double rocker that opens a turn on: what a person types is taken the one place that is meant.
+/// The double rocker starts one turn later: an equivalent angle typed by the user is converted.
 #[test]
-fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
+fn table_accepts_equivalent_angle_but_sweep_is_literal() {
     let preset = krank::scene::presets::find("double-rocker").unwrap();
     let scene = preset.text.replace("angle = 60", "angle = 420");
     let table = |at: &str| run(command(&["table", "-", "--at", at]).write_stdin(scene.clone()));
@@ -494,7 +495,7 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
         "{}",
         refused.err
     );
-    // 36.869897645844 is what `check` prints of 36.86989764584402.
+    // `check` prints 36.86989764584402 as 36.869897645844.
     let at_limit = krank(&["table", "double-rocker", "--at", "36.869897645844"]);
     assert!(
         at_limit.out.contains("state dead-point"),
@@ -517,9 +518,9 @@ fn a_place_that_is_some_turns_away_is_meant_and_a_sweep_is_literal() {
     assert!(literal.out.contains("60,,no-assembly"), "{}", literal.out);
 }
 
-/// Figures by name, pattern and formula, in the order in which they were named.
+/// Columns by name, pattern and formula are listed in the order given.
 #[test]
-fn figures_that_are_named_stand_line_by_line() {
+fn named_columns_are_listed_in_order() {
     let columns = "C.x,C.a.t,r3.*,swing = r4.angle - r3.angle";
     let args = ["table", "four-bar", "--at", "60", "--columns", columns];
     let text = done(&args);
@@ -558,7 +559,7 @@ r3.omega [rad/s]        -3.91641
     );
     assert_eq!(*lines.last().unwrap(), "state,ok,,");
 
-    // The same doubles as in a row of a sweep, under the same names.
+    // The doubles and names are those of a row of a sweep.
     let list = json(&done(
         &[&args[..], &["--bounds", "--format", "json"]].concat(),
     ));
@@ -587,9 +588,9 @@ r3.omega [rad/s]        -3.91641
     assert_eq!(list["state"], "ok");
 }
 
-/// What does not exist is no zero, and what is misspelt is told as in a sweep.
+/// A value that does not exist is not printed as zero. A misspelled name gives the same message as in a sweep.
 #[test]
-fn named_figures_that_do_not_exist_are_empty() {
+fn named_values_that_do_not_exist_are_empty() {
     let args = ["table", "four-bar", "--columns", "A.v.angle,A.v"];
     let text = done(&args);
     let row = text
@@ -604,9 +605,9 @@ fn named_figures_that_do_not_exist_are_empty() {
     assert_eq!(told, same);
 }
 
-/// What the lengths do to a formula that was named.
+/// The sensitivity of a named formula to the lengths.
 #[test]
-fn named_figures_have_their_sensitivity() {
+fn named_formula_has_a_sensitivity() {
     let columns = "swing = r4.angle - r3.angle";
     let args = ["table", "four-bar", "--columns", columns, "--sensitivity"];
     let csv = done(&[&args[..], &["--format", "csv"]].concat());

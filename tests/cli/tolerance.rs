@@ -1,4 +1,4 @@
-//! `krank tolerance`, and bands in plots, against closed formulas.
+//! Tests of `krank tolerance` and of bands in plots, against closed forms.
 
 use super::{done, folder, json, krank, refused, rows};
 use std::fs;
@@ -21,7 +21,7 @@ ram = { point = "C", on = "ground", through = "A", angle = 0 }
 C = [190, 0]
 "#;
 
-/// The scene in a file of its own.
+/// Writes a scene to a file and returns its path.
 fn scene(name: &str, text: &str) -> String {
     let path = folder("tolerance").join(name);
     fs::write(&path, text).unwrap();
@@ -33,10 +33,10 @@ fn near(found: &serde_json::Value, expected: f64, within: f64) {
     assert!((found - expected).abs() <= within, "{found} {expected}");
 }
 
-/// 0.1 on crank and rod in line: 0.2 at worst, 0.1414 by the root sum square, and normal samples of variance
-/// 2 (0.1 / 3)^2.
+/// Crank and rod in line with 0.1 each: 0.2 in the worst case, 0.1414 by the root sum square, and
+/// normally distributed samples with a variance of 2 (0.1 / 3)^2.
 #[test]
-fn a_dead_centre_in_line_adds_both_up() {
+fn dead_centre_adds_both_tolerances() {
     let scene = scene("in-line.toml", SLIDER_CRANK);
     let ask = ["tolerance", &scene, "--columns", "ram.length", "--at", "0"];
     let found = json(&done(&[&ask[..], &["--format", "json"]].concat()));
@@ -63,7 +63,7 @@ fn a_dead_centre_in_line_adds_both_up() {
     assert!(text.contains("+-0.1414"), "{text}");
     assert_eq!(text, done(&ask), "the same seed gives the same machines");
     assert_ne!(text, done(&[&ask[..], &["--seed", "2"]].concat()));
-    // By an option, of the ground too: A.x adds one more 0.1.
+    // The option applies to the ground too: A.x adds one more 0.1.
     let bare = SLIDER_CRANK.replace(", tolerance = 0.1", "");
     let bare = self::scene("bare.toml", &bare);
     let ask = ["tolerance", &bare, "--columns", "C.x", "--at", "0"];
@@ -72,9 +72,9 @@ fn a_dead_centre_in_line_adds_both_up() {
     near(&found["figures"]["C.x"]["rss"], 0.03_f64.sqrt(), 1e-12);
 }
 
-/// x = r cos t + sqrt(l^2 - r^2 sin^2 t) at the four corners, every 5 deg.
+/// Closed form x = r cos t + sqrt(l^2 - r^2 sin^2 t) at the four corners, every 5 deg.
 #[test]
-fn rows_are_those_of_the_formula() {
+fn rows_match_the_closed_form() {
     let scene = scene("rows.toml", SLIDER_CRANK);
     let text = done(&["tolerance", &scene, "--columns", "C.x", "--format", "csv"]);
     let header = "driver.angle [deg],C.x.nominal [mm],C.x.worst.low [mm],C.x.worst.high [mm],\
@@ -102,10 +102,10 @@ fn rows_are_those_of_the_formula() {
     }
 }
 
-/// A rod that is hardly longer than what the crank asks of it closes with some machines only: 50 and 50.05 at 90 deg
-/// do, 50.1 and 49.95 do not.
+/// A rod hardly longer than the crank closes only for some designs: 50 and 50.05 close at 90 deg,
+/// 50.1 and 49.95 do not.
 #[test]
-fn machines_that_do_not_close_are_told() {
+fn designs_that_cannot_close_are_counted() {
     let text = SLIDER_CRANK.replace("length = 150", "length = 50.05");
     let scene = scene("open.toml", &text.replace("[190, 0]", "[76, 0]"));
     let ask = ["tolerance", &scene, "--columns", "C.x", "--at", "90"];
@@ -113,7 +113,8 @@ fn machines_that_do_not_close_are_told() {
         &[&ask[..], &["--format", "json", "--distribution", "even"]].concat(),
     ));
     assert_eq!(found["figures"]["C.x"]["worst"]["closes"], "not-always");
-    // Of two even numbers within 0.1, the crank's is the rod's and 0.05 more: (1 - 0.05 / 0.2)^2 / 2.
+    // For two uniform deviations within 0.1, the crank's exceeds the rod's by more than 0.05 with a
+    // probability of (1 - 0.05 / 0.2)^2 / 2.
     near(&found["samples"]["open"], 0.75 * 0.75 / 2.0, 6e-3);
     let heard = krank(&["tolerance", &scene, "--columns", "C.x"]);
     assert_eq!(heard.code, 0);
@@ -127,7 +128,7 @@ fn machines_that_do_not_close_are_told() {
 }
 
 #[test]
-fn what_cannot_be_told_is_refused() {
+fn invalid_tolerance_arguments_are_rejected() {
     let told = refused(1, &["tolerance", "four-bar"]);
     assert!(
         told.contains("every length of the scene is exact"),
@@ -158,9 +159,9 @@ fn what_cannot_be_told_is_refused() {
     refused(1, &limited);
 }
 
-/// What no tolerance moves is no default column.
+/// Columns that no tolerance changes are not default columns.
 #[test]
-fn usual_columns_are_those_that_are_off() {
+fn default_columns_are_those_with_deviations() {
     let scene = scene("usual.toml", SLIDER_CRANK);
     let text = done(&["tolerance", &scene, "--format", "csv", "--step", "90"]);
     let header = text.lines().next().unwrap();
@@ -173,14 +174,14 @@ fn usual_columns_are_those_that_are_off() {
 }
 
 #[test]
-fn plots_have_bands() {
+fn plots_can_draw_tolerance_bands() {
     let scene = scene("band.toml", &SLIDER_CRANK.replace("= 0.1", "= 10"));
     let ask = ["plot", &scene, "--columns", "C.x"];
     assert!(!done(&ask).contains("worst"));
     let text = done(&[&ask[..], &["--band", "worst"]].concat());
     assert!(text.contains("C.x worst"), "{text}");
     let svg = done(&[&ask[..], &["--band", "rss", "--format", "svg"]].concat());
-    // Both edges, and the line in the legend.
+    // Both edges and the line in the legend.
     assert_eq!(svg.matches("class=\"dotted\"").count(), 3, "{svg}");
     refused(
         1,
@@ -188,9 +189,9 @@ fn plots_have_bands() {
     );
 }
 
-/// How long a ram rests goes by `rest`, and by its old name.
+/// The old name of `rest` gives the same dwell of the ram.
 #[test]
-fn the_rest_of_a_ram_was_called_tolerance() {
+fn rest_option_and_key_accept_old_name_tolerance() {
     let said = |option| done(&["motor", "press-ram", option, "0.7"]);
     assert_eq!(said("--rest"), said("--tolerance"));
     let preset = fs::read_to_string("presets/press-ram.toml").unwrap();

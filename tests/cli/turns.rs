@@ -1,9 +1,10 @@
-//! `krank draw --format cast`: a turn in characters. And what is said of formats that are not built in.
+//! Tests of `krank draw --format cast`: a turn in characters; and messages for formats that are not built in.
 
 use super::{done, json};
 use std::num::NonZeroU16;
 
-/// The screen of a terminal that knows what a cast is made of: places, colours, and erasing to the end of a row.
+/// Returns the screen after playing events on a terminal emulator with cursor positions, colours
+/// and erasing to the end of a line.
 fn played(events: &[serde_json::Value], cols: u16, rows: u16) -> Vec<String> {
     let [height, width] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
     let mut terminal = vt100::Parser::new(height, width, 0);
@@ -25,7 +26,7 @@ fn cast(arguments: &[&str]) -> (serde_json::Value, Vec<serde_json::Value>) {
 }
 
 #[test]
-fn a_turn_is_played_in_order_and_ends_as_it_began() {
+fn cast_frames_are_ordered_and_end_as_they_began() {
     let (header, events) = cast(&["four-bar", "--traces", "--size", "60x20"]);
     assert_eq!(header["version"], 2);
     assert_eq!(
@@ -38,7 +39,7 @@ fn a_turn_is_played_in_order_and_ends_as_it_began() {
         "the bytes would differ each time"
     );
 
-    // Six seconds, fifteen pictures in each, and the first one again.
+    // Six seconds with fifteen frames each, and the first frame again.
     assert_eq!(events.len(), 6 * 15 + 1);
     let times: Vec<f64> = events
         .iter()
@@ -52,13 +53,13 @@ fn a_turn_is_played_in_order_and_ends_as_it_began() {
     assert_eq!(cast(&["four-bar", "--traces", "--size", "60x20"]).1, events);
 }
 
-/// What was there before is gone: a picture behind all others is the one that is drawn alone. Names may have kept
-/// their sides on the way.
+/// Each frame erases the previous one: the screen equals the drawing of its position. Names are
+/// off, since they may keep the sides of earlier frames.
 #[test]
-fn a_picture_of_a_turn_is_the_one_that_is_drawn_there() {
+fn cast_frames_equal_drawn_pictures() {
     let arguments = ["four-bar", "--traces", "--names", "none", "--size", "60x20"];
     let (_, events) = cast(&arguments);
-    // Steps of 4 degrees.
+    // Frames are 4 degrees apart.
     for (events, at) in [
         (&events[..1], "60"),
         (&events[..23], "148"),
@@ -76,7 +77,7 @@ fn a_picture_of_a_turn_is_the_one_that_is_drawn_there() {
 }
 
 #[test]
-fn a_motion_between_limits_goes_there_and_back() {
+fn limited_motion_plays_there_and_back() {
     let arguments = ["excavator-boom", "--seconds", "2", "--size", "40x16"];
     let (_, events) = cast(&arguments);
     assert_eq!(events.len(), 2 * 15 + 1);
@@ -85,9 +86,9 @@ fn a_motion_between_limits_goes_there_and_back() {
     assert_ne!(begun, half);
 }
 
-/// The driver keeps its hue, and nothing is told by more colours than 256.
+/// The driver keeps its hue, and there are at most 256 colours.
 #[test]
-fn a_cast_has_the_colours_of_the_drawing() {
+fn cast_has_the_colours_of_the_drawing() {
     let (_, events) = cast(&["four-bar"]);
     let all: String = events
         .iter()
@@ -97,9 +98,9 @@ fn a_cast_has_the_colours_of_the_drawing() {
     assert!(!all.contains("38;2;"));
 }
 
-/// Behind a character in the last column, erasing to the end of the row takes it away on some terminals.
+/// After a character in the last column, erasing to the end of the line deletes that character on some terminals.
 #[test]
-fn nothing_is_erased_behind_the_last_column() {
+fn cast_does_not_erase_after_the_last_column() {
     let (_, events) = cast(&["engine"]);
     let full = events.iter().filter_map(|event| event[2].as_str());
     let full = full.flat_map(|text| text.split(";1H").skip(1));
@@ -120,9 +121,9 @@ fn nothing_is_erased_behind_the_last_column() {
     }
 }
 
-/// Arrows have a scale, and who played it has a shell with a cursor below it.
+/// The arrows have a scale, and after playing, the shell has a visible cursor below the picture.
 #[test]
-fn a_turn_tells_what_its_arrows_mean_and_gives_the_cursor_back() {
+fn cast_shows_arrow_scale_and_restores_the_cursor() {
     let (_, events) = cast(&["four-bar", "--velocities", "--size", "60x20"]);
     let screen = played(&events, 60, 20);
     assert!(screen[19].contains("mm/s ="), "{screen:#?}");
@@ -134,9 +135,9 @@ fn a_turn_tells_what_its_arrows_mean_and_gives_the_cursor_back() {
     assert!(texts[texts.len() - 1].ends_with("\u{1b}[20;1H\u{1b}[?25h"));
 }
 
-/// An option that means nothing to a format is a slip, and is told with the formats that it is for.
+/// An option without meaning for a format is an error, and the message lists its formats.
 #[test]
-fn options_of_other_formats_are_refused() {
+fn options_of_other_formats_are_rejected() {
     for (arguments, option, others) in [
         (
             &["--width", "800", "--format", "svg"][..],
@@ -160,10 +161,10 @@ fn options_of_other_formats_are_refused() {
     }
 }
 
-/// The formats are known, so that nobody takes them for a slip of the fingers.
+/// Formats that are not built in are known, so that they are not reported as typing errors.
 #[cfg(not(feature = "pictures"))]
 #[test]
-fn pixels_that_are_not_built_in_say_how_to_have_them() {
+fn missing_pixels_feature_is_explained() {
     for format in ["png", "gif"] {
         let error = super::refused(2, &["draw", "four-bar", "--format", format]);
         assert!(error.contains("--features pictures"), "{error}");

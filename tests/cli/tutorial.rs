@@ -1,10 +1,10 @@
-//! The tutorial: every step is a scene that does what is said of it.
+//! Tests of the tutorial: every step is a scene with the described properties.
 
 use super::language::spoken;
 use super::readme::blocks;
 use super::{Run, folder};
 
-/// In each language, and what is said in it of the scenes.
+/// The tutorial in each language, with output of `check` for its scenes.
 const TUTORIALS: [(&str, &str, [&str; 8]); 2] = [
     (
         "en",
@@ -38,7 +38,7 @@ const TUTORIALS: [(&str, &str, [&str; 8]); 2] = [
 const FILE: &str = "six-bar.toml";
 
 #[test]
-fn every_step_is_a_scene() {
+fn every_tutorial_step_checks_as_described() {
     for (language, tutorial, said) in TUTORIALS {
         let here = folder(&format!("tutorial-{language}"));
         let run = |args: &[&str]| spoken(language, &here, args);
@@ -62,7 +62,7 @@ fn every_step_is_a_scene() {
             let is_true = heard.out.contains(said) && tutorial.contains(said);
             assert!(is_true, "{said}: {}", heard.out);
         }
-        // The step in between is this one with a third point on the coupler.
+        // The step in between adds a third point on the coupler.
         let curve = four_bar.replace(
             "length = 120 }",
             "length = 120, points = { E = [60, 50] } }",
@@ -79,9 +79,9 @@ fn every_step_is_a_scene() {
     }
 }
 
-/// In Turkish they are the same, which its own test tells.
+/// The Turkish tutorial has the same commands; another test compares them.
 #[test]
-fn its_commands_run() {
+fn tutorial_commands_run() {
     let here = folder("tutorial-commands");
     let (language, tutorial, _) = TUTORIALS[0];
     std::fs::write(here.join(FILE), blocks(tutorial, "toml").last().unwrap()).unwrap();
@@ -93,7 +93,7 @@ fn its_commands_run() {
         let args: Vec<&str> = line.split(' ').map(|arg| arg.trim_matches('\'')).collect();
         let heard = spoken(language, &here, &args);
         assert_eq!((heard.code, heard.err.as_str()), (0, ""), "{line}");
-        // The numbers that the text tells of what was found.
+        // The numbers that the text quotes from the results.
         if args[0] == "solve" {
             for number in ["36.341", "82.276", "60.00000", "1.200000"] {
                 assert!(heard.out.contains(number), "{}", heard.out);
@@ -104,9 +104,9 @@ fn its_commands_run() {
     assert_eq!(ran, 7);
 }
 
-/// What stands in the text is what is shown, scene by scene.
+/// `help` prints each scene of the text unchanged.
 #[test]
-fn its_scenes_are_shown_as_they_are() {
+fn help_shows_tutorial_scenes_unchanged() {
     for (language, tutorial, _) in TUTORIALS {
         let here = folder("tutorial-shown");
         let shown = spoken(language, &here, &["help", "tutorial"]).out;

@@ -1,4 +1,4 @@
-//! `krank help --format html`: the web site has the whole manual, and its pages hold together.
+//! Tests of `krank help --format html`: the web site contains the whole manual, and all its links work.
 
 use super::language::spoken;
 use super::manual::chapters;
@@ -6,7 +6,7 @@ use super::{folder, refused};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 
-/// The files of the site in a language, by their names. Tests run at the same time: each has its own folder.
+/// Writes the site in a language and returns its files by name. Tests run in parallel, so each has its own folder.
 fn site(test: &str, language: &str) -> BTreeMap<String, String> {
     let here = folder(&format!("web-{test}-{language}"));
     fs::remove_dir_all(&here).unwrap();
@@ -31,7 +31,7 @@ fn pages(site: &BTreeMap<String, String>) -> impl Iterator<Item = (&str, &str)> 
     pages.map(|(name, page)| (name.as_str(), page.as_str()))
 }
 
-/// The topics that `krank help` lists.
+/// Returns the topics listed by `krank help`.
 fn topics() -> Vec<String> {
     let contents = super::done(&["help"]);
     let rows = contents.lines().skip(2).take_while(|line| !line.is_empty());
@@ -40,14 +40,14 @@ fn topics() -> Vec<String> {
     names.collect()
 }
 
-/// The values of an attribute in a page.
+/// Returns the values of an attribute in a page.
 fn values<'p>(page: &'p str, attribute: &str) -> Vec<&'p str> {
     let opening = format!(" {attribute}=\"");
     let rest = page.split(opening.as_str()).skip(1);
     rest.map(|rest| rest.split('"').next().unwrap()).collect()
 }
 
-/// The text of a page in one line. Panics if its tags do not match.
+/// Returns the text of a page in one line. Panics if its tags do not match.
 fn text_of(name: &str, page: &str) -> String {
     let mut open = Vec::new();
     let mut text = String::new();
@@ -81,7 +81,7 @@ fn in_one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// The pieces of a chapter's lines that stand together in every format: cells, and lines without their marks.
+/// Splits a chapter into pieces that every format keeps together: table cells, and lines without Markdown marks.
 fn pieces(chapter: &str) -> Vec<String> {
     let mut pieces = Vec::new();
     let mut is_code = false;
@@ -127,7 +127,7 @@ fn every_topic_has_a_page_with_all_its_text() {
         }
         let mut chapters = chapters(folder);
         if language == "en" {
-            // These stand in other folders.
+            // These chapters are in other folders.
             for other in [
                 include_str!("../../crates/model/src/scene/rules.md"),
                 include_str!("../../crates/kinematics/src/notation.md"),
@@ -152,11 +152,11 @@ fn every_topic_has_a_page_with_all_its_text() {
 
 #[cfg(feature = "tui")]
 #[test]
-fn generated_tables_are_in_the_site() {
+fn site_contains_generated_tables() {
     let site = site("tables", "en");
     assert!(site["keys.html"].contains("<td><code>space</code></td>"));
     assert!(site["scene.html"].contains("<code>[driver]</code>"));
-    // Code and the table of questions link to topics.
+    // Code spans and the table of questions link to topics.
     let scene = "<a href=\"scene.html\"><code>scene</code></a>";
     assert!(site["how.html"].contains(scene));
     assert!(
@@ -165,7 +165,7 @@ fn generated_tables_are_in_the_site() {
 }
 
 #[test]
-fn every_link_leads_to_a_file_and_an_anchor() {
+fn every_link_target_exists() {
     for language in ["en", "tr"] {
         let site = site("links", language);
         let mut links = 0;
@@ -186,9 +186,9 @@ fn every_link_leads_to_a_file_and_an_anchor() {
     }
 }
 
-/// Each entry is also JSON, and so one line.
+/// Each entry of the index is valid JSON on one line.
 #[test]
-fn the_search_knows_every_heading() {
+fn search_index_covers_every_heading() {
     for language in ["en", "tr"] {
         let site = site("search", language);
         let index = &site["search-index.js"];
@@ -209,13 +209,13 @@ fn the_search_knows_every_heading() {
             sections += 1;
         }
         let headings = |(_, page): (&str, &str)| values(page, "id").len() - 1;
-        // The index has no anchor of a heading.
+        // The navigation also has an id.
         assert_eq!(sections, pages(&site).map(headings).sum::<usize>());
     }
 }
 
 #[test]
-fn nothing_is_loaded_from_elsewhere() {
+fn site_loads_no_external_resources() {
     let site = site("loaded", "en");
     for (name, page) in pages(&site) {
         for link in [values(page, "href"), values(page, "src")].concat() {
@@ -234,7 +234,7 @@ fn nothing_is_loaded_from_elsewhere() {
 }
 
 #[test]
-fn files_of_the_same_names_are_replaced_and_others_stay() {
+fn site_replaces_its_own_files_and_keeps_others() {
     let here = folder("web-replaced");
     for name in ["index.html", "mine.txt"] {
         fs::write(here.join(name), "mine").unwrap();
@@ -247,7 +247,7 @@ fn files_of_the_same_names_are_replaced_and_others_stay() {
 }
 
 #[test]
-fn a_site_needs_a_folder_and_has_all_topics() {
+fn html_format_requires_folder_and_all_topics() {
     for (args, english, turkish) in [
         (
             &["help", "--format", "html"][..],

@@ -1,4 +1,4 @@
-//! However it ends, the terminal is as it was, and no process stays.
+//! Tests that every way to end the program restores the terminal and leaves no process.
 
 use crate::session::{Manner, Session, Setup};
 use rustix::process::Signal;
@@ -7,7 +7,7 @@ use std::thread;
 use std::time::Duration;
 
 #[test]
-fn a_signal_ends_it_with_the_terminal_as_found() {
+fn signal_ends_the_program_and_restores_the_terminal() {
     for signal in [Signal::TERM, Signal::INT, Signal::HUP, Signal::QUIT] {
         let mut session = Session::krank(&["four-bar"]);
         session.wait_for("60.00 deg").send(" ");
@@ -19,9 +19,9 @@ fn a_signal_ends_it_with_the_terminal_as_found() {
 }
 
 #[test]
-fn a_lost_line_ends_it() {
+fn hangup_ends_the_program() {
     let krank = env!("CARGO_BIN_EXE_krank");
-    // The second as under `nohup`: no signal tells it.
+    // The second script ignores SIGHUP, as under `nohup`.
     for script in ["exec", "trap '' HUP; exec"] {
         for manner in [Manner::Answers, Manner::Mute] {
             let setup = Setup::script(&format!("{script} {krank} four-bar")).manner(manner);
@@ -35,12 +35,12 @@ fn a_lost_line_ends_it() {
 }
 
 #[test]
-fn a_line_that_hangs_does_not_keep_it() {
+fn signal_ends_the_program_on_a_stalled_line() {
     for signal in [Signal::TERM, Signal::HUP] {
         let setup = Setup::krank(&["four-bar"]).manner(Manner::Stalled);
         let mut session = setup.start();
         session.resize(240, 80);
-        // Whole screens, until the kernel takes no more.
+        // Sends whole screens until the kernel's buffer is full.
         for _ in 0..12 {
             thread::sleep(Duration::from_millis(150));
             session.send("2\x0c1\x0c");
@@ -52,10 +52,10 @@ fn a_line_that_hangs_does_not_keep_it() {
     }
 }
 
-/// A release build knows no switch for it.
+/// Release builds ignore `KRANK_FAULT`.
 #[cfg(debug_assertions)]
 #[test]
-fn a_panic_is_told_after_the_terminal_was_put_back() {
+fn panic_message_is_printed_after_restoring_the_terminal() {
     let setup = Setup::krank(&["four-bar"]).env("KRANK_FAULT", "panic");
     // A backtrace would push the message off the screen.
     let mut session = setup.env("RUST_BACKTRACE", "0").start();
@@ -63,10 +63,10 @@ fn a_panic_is_told_after_the_terminal_was_put_back() {
     session.wait_for("internal error: KRANK_FAULT=panic");
 }
 
-/// While the main thread computes, another one hears what ends the program.
+/// While the main thread computes, another thread handles keys and signals that end the program.
 #[cfg(debug_assertions)]
 #[test]
-fn a_busy_program_ends_with_the_terminal_as_found() {
+fn busy_program_ends_and_restores_the_terminal() {
     let busy = || {
         Setup::krank(&["four-bar"])
             .env("KRANK_FAULT", "busy")
@@ -91,7 +91,7 @@ fn a_busy_program_ends_with_the_terminal_as_found() {
 }
 
 #[test]
-fn output_that_is_no_terminal_is_refused_kindly() {
+fn output_without_terminal_exits_with_2() {
     let output = Command::new(env!("CARGO_BIN_EXE_krank"))
         .arg("four-bar")
         .output()
@@ -102,9 +102,9 @@ fn output_that_is_no_terminal_is_refused_kindly() {
     assert!(told.contains("krank table"), "{told}");
 }
 
-/// As `krank | head -c 0`: nobody reads any more, and nothing is written.
+/// Like `krank | head -c 0`: the pipe has no reader.
 #[test]
-fn a_broken_pipe_as_output_is_refused_kindly() {
+fn broken_output_pipe_exits_with_2_without_panic() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_krank"))
         .arg("four-bar")
         .stdout(Stdio::piped())
@@ -118,10 +118,10 @@ fn a_broken_pipe_as_output_is_refused_kindly() {
     assert!(!told.contains("panicked"), "{told}");
 }
 
-/// A disk on which nothing can be written any more, while a scene is saved: it is told, the file is
-/// what it was, and nothing is left beside it.
+/// If the disk is full while a scene is saved, an error is shown, the file stays unchanged, and no
+/// temporary file remains.
 #[test]
-fn a_full_disk_leaves_the_file_as_it_was() {
+fn full_disk_keeps_the_saved_file() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("full-disk");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
@@ -130,7 +130,7 @@ fn a_full_disk_leaves_the_file_as_it_was() {
     std::fs::copy(preset, &scene).unwrap();
     let before = std::fs::read(&scene).unwrap();
     let krank = env!("CARGO_BIN_EXE_krank");
-    // No file may grow beyond 0 blocks; ignored, the signal becomes an error of the writer.
+    // The limit on the file size is 0 blocks; with the signal ignored, writes fail with an error.
     let limits = "trap '' XFSZ; ulimit -f 0; exec";
     let script = format!("{limits} {krank} '{}'", scene.display());
     let mut session = Setup::script(&script).size(120, 30).start();

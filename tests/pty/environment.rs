@@ -1,9 +1,9 @@
-//! Terminals of all kinds: none gets what it cannot show.
+//! Tests of various terminals: none receives sequences that it does not support.
 
 use crate::session::{Manner, Session, Setup};
 use std::process::Command;
 
-/// Plays for some frames, leaves, and gives back what was sent.
+/// Plays for some frames, quits, and returns the bytes sent.
 fn played(setup: Setup) -> Vec<u8> {
     let mut session = setup.start();
     session.wait_for("60.00 deg").send(" ");
@@ -20,14 +20,14 @@ fn played(setup: Setup) -> Vec<u8> {
 }
 
 impl Session {
-    /// Some frames more.
+    /// Waits for some more frames.
     fn settle_playing(&self) {
         let before = self.bytes();
         self.wait_until("frames", |seen| seen.bytes.len() > before + 500);
     }
 }
 
-/// The parameters of all SGR sequences.
+/// Returns the parameters of all SGR sequences.
 fn sgr(bytes: &[u8]) -> Vec<String> {
     let text = String::from_utf8_lossy(bytes);
     let pieces = text.split("\x1b[").skip(1);
@@ -59,7 +59,7 @@ fn has_braille(bytes: &[u8]) -> bool {
 }
 
 #[test]
-fn an_emulator_gets_braille_and_colours() {
+fn emulator_gets_braille_and_colours() {
     let bytes = played(Setup::krank(&["four-bar"]));
     assert!(has_braille(&bytes) && has_colour(&bytes) && has(&bytes, "\x1b[?2026h"));
     assert!(has(&bytes, "38;5;") && !has(&bytes, "38;2;"));
@@ -85,14 +85,14 @@ fn old_terminals_get_no_colour_and_no_private_mode() {
 }
 
 #[test]
-fn the_console_of_linux_gets_lines_and_the_palette() {
+fn linux_console_gets_line_glyphs_and_palette_colours() {
     let bytes = played(Setup::krank(&["four-bar"]).env("TERM", "linux"));
     assert!(has_colour(&bytes) && !has(&bytes, "38;5;") && !has_braille(&bytes));
     assert!(!has(&bytes, "\x1b[?2026") && !has(&bytes, "\x1b[?2004"));
 }
 
 #[test]
-fn the_c_locale_gets_seven_bits() {
+fn c_locale_gets_ascii_only() {
     let bytes = played(
         Setup::krank(&["four-bar"])
             .env("LC_ALL", "C")
@@ -102,7 +102,7 @@ fn the_c_locale_gets_seven_bits() {
 }
 
 #[test]
-fn no_color_leaves_bold_and_reversed() {
+fn no_color_keeps_bold_and_reverse() {
     let bytes = played(Setup::krank(&["four-bar"]).env("NO_COLOR", "1"));
     assert!(!has_colour(&bytes));
     let numbers = sgr(&bytes);
@@ -128,7 +128,7 @@ fn colours_change_by_key_and_by_option() {
 }
 
 #[test]
-fn a_terminal_that_cannot_show_it_is_refused_kindly() {
+fn dumb_terminal_exits_with_2() {
     let setup = Setup::krank(&["four-bar"]).env("TERM", "dumb");
     let mut session = setup.manner(Manner::Mute).start();
     assert_eq!(session.ended_as_found().exit_code(), 2);
@@ -136,7 +136,7 @@ fn a_terminal_that_cannot_show_it_is_refused_kindly() {
 }
 
 #[test]
-fn the_diagnosis_tells_what_was_found_and_why() {
+fn diagnose_reports_findings_and_reasons() {
     let setup = Setup::krank(&["--diagnose"])
         .env("NO_COLOR", "1")
         .size(100, 30);
@@ -154,7 +154,7 @@ fn the_diagnosis_tells_what_was_found_and_why() {
 }
 
 #[test]
-fn the_diagnosis_works_in_a_pipe() {
+fn diagnose_works_in_a_pipe() {
     let output = Command::new(env!("CARGO_BIN_EXE_krank"))
         .args(["--diagnose", "--glyphs", "line"])
         .env("TERM", "odd\x1b[31mname")

@@ -1,11 +1,11 @@
-//! What is configured, and what the first start begins with.
+//! Tests of the configuration and of the first start.
 
 use crate::session::{Session, Setup};
 use std::path::Path;
 
-/// The first start without a scene begins with the tour; the second does not, nor does one of a scene.
+/// The first start without a scene shows the tour. Later starts and starts with a scene do not.
 #[test]
-fn the_first_start_shows_the_tour_once() {
+fn first_start_shows_the_tour_once() {
     let home = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pty-first-start");
     let _ = std::fs::remove_dir_all(&home);
     let start = |args: &[&str], config: &str| {
@@ -37,7 +37,7 @@ fn the_first_start_shows_the_tour_once() {
     first.wait_for("? help");
     quit(first, "q");
     quiet(&[], "");
-    // A key of the configuration is a key of the program.
+    // Keys of the configuration replace the default ones.
     let other = start(&["four-bar"], "[keys]\nquit = 'Q'");
     other.wait_for("Q quit").send("q.");
     other.wait_for("65.00 deg");

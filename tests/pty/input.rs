@@ -1,16 +1,16 @@
-//! What comes from the terminal and is no key: noise, and text that is pasted.
+//! Tests of terminal input other than keys: noise, pasted text and the mouse.
 
 use crate::session::Session;
 use std::thread;
 use std::time::Duration;
 
 #[test]
-fn noise_from_the_line_does_not_make_deaf() {
+fn keys_work_after_noise_on_the_line() {
     let mut session = Session::krank(&["four-bar"]);
     session
         .wait_for("60.00 deg")
         .send("\x1b]\x1b[200~qqq\x1bP\x1b[");
-    // A paste without an end is given up after a second of silence.
+    // An unterminated paste is dropped after a second of silence.
     thread::sleep(Duration::from_millis(1300));
     session.send_until("g90\r", "90.00 deg", |seen| {
         seen.terminal.screen().contents().contains("90.00 deg")
@@ -19,12 +19,11 @@ fn noise_from_the_line_does_not_make_deaf() {
     assert!(session.ended_as_found().success());
 }
 
-/// Keys that leave, save, open and edit, and what would end a line: pasted, none of them is a key,
-/// wherever it is pasted to.
+/// Pasted text with keys that quit, save, open, edit or end a line is not read as keys in any mode.
 #[test]
-fn a_paste_is_no_key_in_any_mode() {
+fn paste_is_not_read_as_keys_in_any_mode() {
     let harmful = "\x1b[200~q\x03\x1a\rw\r\nWx\r\x1b[An.5\x7f\u{202e}\x00\r\r\x1b[201~";
-    // Each leads to a mode of its own, and Esc back: the views, help, where to go, assemblies, files.
+    // Each key opens a mode that Esc closes: views, help, go to, assemblies, files.
     for keys in ["1", "2", "3", "4", "5", "6", "e", "?", "g", "a", "w", "W"] {
         let mut session = Session::krank(&["four-bar"]);
         session.wait_for("60.00 deg").send(keys);
@@ -40,7 +39,7 @@ fn a_paste_is_no_key_in_any_mode() {
             seen.chars().all(|c| c == '\n' || !c.is_control()),
             "{keys}\n{seen}"
         );
-        // An ESC is a key of its own once nothing follows it.
+        // An ESC counts as a key if nothing follows it.
         for _ in 0..2 {
             session.send("\x1b");
             thread::sleep(Duration::from_millis(80));
@@ -53,10 +52,9 @@ fn a_paste_is_no_key_in_any_mode() {
     }
 }
 
-/// The mouse is taken by a key alone, tells of its buttons and of nothing else, and is the terminal's again on every way
-/// out.
+/// Only a key enables the mouse, and only its buttons are reported. Every exit disables it.
 #[test]
-fn the_mouse_is_taken_by_a_key_and_given_back() {
+fn key_enables_the_mouse_and_exit_disables_it() {
     const TAKEN: &[u8] = b"\x1b[?1002h\x1b[?1006h";
     const GIVEN: &[u8] = b"\x1b[?1006l\x1b[?1002l";
     let count = |session: &Session, sequence: &[u8]| session.seen.lock().unwrap().count(sequence);
@@ -66,7 +64,7 @@ fn the_mouse_is_taken_by_a_key_and_given_back() {
         assert_eq!(count(&session, TAKEN), 0, "not asked for");
         session.send("M");
         session.wait_until("the mouse", |seen| seen.count(TAKEN) == 1);
-        // The tab of the tables, pressed and let go.
+        // Presses and releases the tab of the tables.
         session.send("\x1b[<0;15;1M\x1b[<0;15;1m");
         session.wait_for(" tables ");
         session.send(keys);

@@ -1,15 +1,14 @@
-//! Bad lines: noise, answers that get lost or come at the wrong time, strings that nobody asked for. After each
-//! of them the next key is heard, and shown.
+//! Tests of bad lines: noise, lost or late answers, and unrequested strings. After each of them,
+//! the next key is handled and its effect shown.
 
 use crate::session::{Manner, PATIENCE, Session, Setup};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// After so much silence whatever was unfinished is given up: longer than the longest patience but that with a
-/// paste.
+/// Unfinished sequences are dropped after this silence: longer than every timeout except that of a paste.
 const SILENCE: Duration = Duration::from_millis(350);
 
-/// What unfinished or foreign things a terminal may send.
+/// Returns unfinished and foreign sequences that a terminal may send.
 fn hostile() -> Vec<Vec<u8>> {
     let mut all: Vec<Vec<u8>> = [
         &b"\xe9"[..],
@@ -38,7 +37,7 @@ fn hostile() -> Vec<Vec<u8>> {
     ]
     .map(<[u8]>::to_vec)
     .to_vec();
-    // Replies longer than any key: what is behind 256 bytes used to be typed, and `q` leaves.
+    // Replies longer than any key. Regression test: bytes after the first 256 were read as keys, and `q` quits.
     for (begins, ends) in [
         ("\x1b]52;c;", "\x07"),
         ("\x1bP1+r", "\x1b\\"),
@@ -50,7 +49,7 @@ fn hostile() -> Vec<Vec<u8>> {
     all
 }
 
-/// Steps on, and waits until that is seen.
+/// Steps the driver and waits until the screen shows it.
 fn step(session: &Session, from: u32) -> u32 {
     let to = format!("{}.00 deg", (from + 5) % 360);
     session.send_until(".", &to, |seen| {
@@ -59,14 +58,14 @@ fn step(session: &Session, from: u32) -> u32 {
     (from + 5) % 360
 }
 
-/// Sends noise to a session of its own, whole or byte by byte; after each piece a key is heard.
+/// Sends noise to a new session, whole or byte by byte, and checks a key after each piece.
 fn hears_after_noise(manner: Manner, by_bytes: bool) {
     let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
     session.wait_for("60.00 deg").wait_for("-3.9164");
     let mut at = 60;
     for noise in hostile() {
-        // A frame is on its way, so that its answer comes upon the heels of it. Within the bytes of a reply a
-        // terminal answers nothing.
+        // A frame is being sent, so that its answer follows the noise. Within the bytes of a reply,
+        // a terminal sends no answers.
         session.send(".");
         at = (at + 5) % 360;
         if by_bytes {
@@ -75,7 +74,7 @@ fn hears_after_noise(manner: Manner, by_bytes: bool) {
         }
         match by_bytes {
             false => session.send_bytes(&noise),
-            // An ESC alone is a key after 25 ms, which a busy machine may take between two bytes.
+            // A single ESC is a key after 25 ms, which may pass between two bytes on a busy machine.
             true => noise
                 .chunk_by(|byte, _| *byte == 0x1b)
                 .take(64)
@@ -92,7 +91,7 @@ fn hears_after_noise(manner: Manner, by_bytes: bool) {
 }
 
 #[test]
-fn after_any_noise_the_next_key_is_heard_and_shown() {
+fn next_key_after_noise_is_handled_and_shown() {
     thread::scope(|scope| {
         for manner in [Manner::Answers, Manner::Mute] {
             for by_bytes in [false, true] {
@@ -102,9 +101,9 @@ fn after_any_noise_the_next_key_is_heard_and_shown() {
     });
 }
 
-/// The terminal that answered so far answers no more. How soon the next frame comes is tested with a simulated clock.
+/// The terminal stops answering. The delay of the next frame is tested with a simulated clock.
 #[test]
-fn a_lost_answer_does_not_stop_the_screen() {
+fn lost_answer_does_not_stop_the_screen() {
     let session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").wait_for("-3.9164");
     session.settle();
@@ -116,13 +115,13 @@ fn a_lost_answer_does_not_stop_the_screen() {
 }
 
 #[test]
-fn ctrl_c_leaves_a_paste_that_never_ends() {
-    // After a moment, as a person presses it.
+fn ctrl_c_quits_during_an_endless_paste() {
+    // After a moment, as a user would press it.
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").send("\x1b[200~some text");
     thread::sleep(Duration::from_millis(120));
     assert!(session.ended_by_ctrl_c().success());
-    // And while it goes on and on.
+    // And while the paste continues.
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").send("\x1b[200~");
     let end = Instant::now() + PATIENCE;
@@ -134,9 +133,9 @@ fn ctrl_c_leaves_a_paste_that_never_ends() {
     assert!(session.ended().success());
 }
 
-/// In the midst of whatever else.
+/// Ctrl-C quits even within an unfinished sequence.
 #[test]
-fn ctrl_c_leaves_from_anywhere() {
+fn ctrl_c_quits_after_any_noise() {
     for noise in hostile() {
         let is_pasted = noise.starts_with(b"\x1b[200~");
         let noise: Vec<u8> = noise.into_iter().filter(|byte| *byte != 3).collect();

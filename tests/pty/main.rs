@@ -1,5 +1,6 @@
-//! The real binary on a pseudo-terminal, with an emulated screen at the other end: opening, moving,
-//! resizing, stopping, leaving and losing the line. What is asked most often: is the terminal as it was?
+//! Tests of the real binary on a pseudo-terminal with an emulated screen: opening, stepping,
+//! resizing, stopping, quitting and losing the line. Most of them check that the terminal is
+//! restored.
 #![cfg(all(feature = "tui", target_os = "linux"))]
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -38,7 +39,7 @@ fn opens_steps_plays_and_quits() {
 }
 
 #[test]
-fn a_scene_from_standard_input_leaves_the_keys_to_the_terminal() {
+fn scene_from_standard_input_reads_keys_from_the_terminal() {
     let krank = env!("CARGO_BIN_EXE_krank");
     let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/slider-crank.toml");
     let mut session = Setup::script(&format!("exec {krank} - --at 45 < '{scene}'")).start();
@@ -47,8 +48,8 @@ fn a_scene_from_standard_input_leaves_the_keys_to_the_terminal() {
     assert!(session.ended_as_found().success());
 }
 
-/// Voluntary and other changes of context, and the clock ticks of all threads: what a program does
-/// that does nothing.
+/// Returns the number of context switches and the clock ticks of all threads: both stay constant
+/// while a program is idle.
 fn activity(session: &Session) -> (u64, u64) {
     let pid = session.pid().as_raw_nonzero();
     let status = std::fs::read_to_string(format!("/proc/{pid}/status")).unwrap();
@@ -66,12 +67,12 @@ fn activity(session: &Session) -> (u64, u64) {
 }
 
 #[test]
-fn paused_it_writes_nothing_and_does_not_wake() {
+fn paused_program_writes_nothing_and_does_not_wake() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").send(" ");
     session.wait_for("pause").send(" ");
     session.wait_for("play");
-    // Once it has come to rest; a busy machine may let it come late.
+    // On a busy machine, the program may become idle late.
     let end = Instant::now() + PATIENCE;
     loop {
         let before = (session.bytes(), activity(&session));
@@ -87,7 +88,7 @@ fn paused_it_writes_nothing_and_does_not_wake() {
 }
 
 #[test]
-fn follows_the_size_of_its_window() {
+fn screen_follows_the_window_size() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg");
     session.resize(40, 12);
@@ -103,10 +104,9 @@ fn follows_the_size_of_its_window() {
     assert!(session.ended_as_found().success());
 }
 
-/// Sizes that nobody has, one after another while it plays: nothing is drawn beyond the screen, and the
-/// last size is the one that counts.
+/// After many unusual sizes during playback, nothing is drawn beyond the screen, and the last size applies.
 #[test]
-fn a_storm_of_sizes_leaves_the_last_one() {
+fn last_of_many_resizes_is_drawn() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").send(" ");
     let mut seed: u32 = 1;
@@ -140,7 +140,7 @@ fn starts_at_any_size_and_grows() {
 }
 
 #[test]
-fn a_terminal_that_answers_nothing_is_not_waited_for() {
+fn mute_terminal_is_not_waited_for() {
     let mut session = Setup::krank(&["four-bar"]).manner(Manner::Mute).start();
     session.wait_for("60.00 deg").wait_for("-3.9164").send(".");
     session.wait_for("65.00 deg").send("..");

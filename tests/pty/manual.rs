@@ -1,8 +1,8 @@
-//! `krank help` on a terminal: paged, as wide as there is room, and as plain as is wished.
+//! Tests of `krank help` on a terminal: pager, width and plain output.
 
 use crate::session::Setup;
 
-/// Everything that was sent, once the program has left.
+/// Returns all bytes sent until the program ends.
 fn sent(setup: Setup) -> String {
     let mut session = setup.start();
     assert!(session.ended_as_found().success());
@@ -14,9 +14,9 @@ fn topic(name: &str) -> Setup {
     Setup::krank(&["help", name])
 }
 
-/// Ctrl-C is the pager's affair: nobody else ends by it, and leaves the pager to a terminal that another reads.
+/// Only the pager handles Ctrl-C: if krank ended, the pager would compete with the shell for the terminal.
 #[test]
-fn the_pager_of_the_person_shows_it() {
+fn topic_is_shown_in_the_users_pager() {
     for pager in ["less", "more", "\"less\" -R", "FROM=krank less"] {
         let mut session = topic("scene").env("PAGER", pager).without("LESS").start();
         session.wait_for("The scene file");
@@ -30,17 +30,17 @@ fn the_pager_of_the_person_shows_it() {
     }
 }
 
-/// It is a command for the shell, as for others that ask for it.
+/// `PAGER` is a shell command, as in other programs.
 #[test]
-fn the_pager_may_be_a_pipe() {
+fn pager_can_be_a_shell_pipeline() {
     let all = sent(topic("limits").env("PAGER", "less | sed 's/^/> /'"));
     assert!(all.contains("> - A scene file has"), "{all}");
     assert!(all.contains("10,000 links"), "{all}");
 }
 
-/// Options that a person has chosen used to show the escapes of what is bold.
+/// Regression test: with options in `LESS`, the escapes of bold text were visible.
 #[test]
-fn no_escape_is_read_whatever_less_is_told() {
+fn less_never_shows_raw_escapes_with_user_options() {
     for options in ["-i", "i", "", "-Pso far"] {
         let mut session = topic("scene")
             .env("PAGER", "less")
@@ -54,8 +54,8 @@ fn no_escape_is_read_whatever_less_is_told() {
 }
 
 #[test]
-fn a_pager_that_is_not_there_keeps_nobody_from_reading() {
-    // Nothing is found on this path, so neither are the usual ones.
+fn missing_pager_falls_back_to_plain_output() {
+    // The path is empty, so the default pagers are not found either.
     let all = sent(
         topic("limits")
             .env("PAGER", "/nowhere/pager")
@@ -66,7 +66,7 @@ fn a_pager_that_is_not_there_keeps_nobody_from_reading() {
     assert!(all.contains("10,000 links"), "{all}");
     let without = Setup::krank(&["help", "limits", "--no-pager"]).env("PAGER", "false");
     assert!(sent(without).contains("10,000 links"));
-    // A terminal that cannot go back has no use for a pager.
+    // A terminal without cursor movement gets no pager.
     let dumb = sent(topic("limits").env("TERM", "dumb").env("PAGER", "false"));
     assert!(
         dumb.contains("10,000 links") && !dumb.contains('\x1b'),
@@ -75,7 +75,7 @@ fn a_pager_that_is_not_there_keeps_nobody_from_reading() {
 }
 
 #[test]
-fn headings_are_bold_unless_that_is_not_wished() {
+fn headings_are_bold_unless_no_color_is_set() {
     let plain = |setup: Setup| sent(setup.env("PAGER", "cat"));
     assert!(plain(topic("keys")).contains("\x1b[1mThe motion\x1b[0m"));
     let plain = plain(topic("keys").env("NO_COLOR", "1"));
@@ -86,7 +86,7 @@ fn headings_are_bold_unless_that_is_not_wished() {
 }
 
 #[test]
-fn it_is_as_wide_as_the_terminal() {
+fn text_follows_terminal_width_up_to_100_columns() {
     for (cols, widest) in [(40, 40), (80, 80), (300, 100)] {
         let text = sent(
             topic("limits")

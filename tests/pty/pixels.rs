@@ -1,11 +1,11 @@
-//! The drawing in pixels: what is sent, when, and what takes it away.
+//! Tests of the drawing in pixels: the sequences sent, when they are sent, and how they are removed.
 
 use crate::session::Setup;
 
-/// A terminal that may show no pictures is sent none: it would show them as letters.
+/// A terminal that may not support pictures receives none: it would show them as letters.
 #[cfg(feature = "pictures")]
 #[test]
-fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
+fn unknown_terminal_is_sent_no_pixels() {
     let mut session = Setup::krank(&["four-bar"]).without("TERM_PROGRAM").start();
     session.wait_for("60.00 deg").send("V");
     session
@@ -16,7 +16,7 @@ fn a_terminal_that_does_not_tell_is_sent_no_pixels() {
 
 #[cfg(not(feature = "pictures"))]
 #[test]
-fn pixels_that_are_not_built_in_are_told_in_the_workbench_too() {
+fn missing_pixels_feature_is_explained_in_the_workbench() {
     for wish in ["kitty", "auto"] {
         let mut session = Setup::krank(&["four-bar", "--picture", wish]).start();
         session.wait_for("60.00 deg").send("V");
@@ -29,7 +29,8 @@ fn pixels_that_are_not_built_in_are_told_in_the_workbench_too() {
 mod sent {
     use crate::session::{Manner, Setup};
 
-    /// How the sequence of a protocol begins and ends, and what takes its picture away beside clearing.
+    /// Start and end of a protocol's sequence, and the sequence that removes its picture in
+    /// addition to clearing the screen.
     struct Sequence {
         protocol: &'static str,
         begins: &'static [u8],
@@ -62,7 +63,7 @@ mod sent {
     }
 
     #[test]
-    fn pixels_are_shown_whole_and_gone_with_the_next_key() {
+    fn pixels_are_sent_complete_and_removed_by_the_next_key() {
         for sequence in [KITTY, ITERM, SIXEL] {
             let Sequence {
                 protocol,
@@ -72,7 +73,7 @@ mod sent {
             } = sequence;
             let mut session = Setup::krank(&["four-bar", "--picture", protocol]).start();
             session.wait_for("60.00 deg").send(" ");
-            // What moves stands still for it.
+            // The playback pauses for the picture.
             session.wait_until("playing", |seen| {
                 !seen.rows().join("").contains("60.00 deg")
             });
@@ -96,9 +97,9 @@ mod sent {
         }
     }
 
-    /// A kitty keeps pictures when the screen is cleared by nobody: a signal is a way out too.
+    /// kitty keeps pictures unless they are removed, so an exit by signal must remove them too.
     #[test]
-    fn pixels_are_taken_away_on_the_way_out() {
+    fn pixels_are_removed_on_exit_by_signal() {
         let Sequence {
             begins, removal, ..
         } = KITTY;
@@ -111,7 +112,7 @@ mod sent {
     }
 
     #[test]
-    fn pixels_that_take_long_are_sent_only_after_that_was_told() {
+    fn pixels_on_a_slow_line_are_sent_only_after_confirmation() {
         let begins = SIXEL.begins;
         let arguments = ["four-bar", "--picture", "sixel"];
         let mut session = Setup::krank(&arguments).manner(Manner::Slow).start();

@@ -1,5 +1,4 @@
-//! The line that tells how far a sweep has come, on a pseudo-terminal: when it is there, and that it
-//! leaves nothing behind.
+//! Tests of the progress line on a pseudo-terminal: when it is shown, and that it is removed completely.
 
 use crate::session::PATIENCE;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
@@ -9,12 +8,12 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A shell's command line on a terminal of its own.
+/// A shell command on its own terminal.
 struct Terminal {
     screen: Arc<Mutex<vt100::Parser>>,
     bytes: Arc<Mutex<Vec<u8>>>,
     child: Box<dyn Child + Send + Sync>,
-    /// Kept: dropping it types an end of input.
+    /// Kept open, since dropping it sends an end of input.
     keys: Box<dyn Write + Send>,
     _master: Box<dyn MasterPty + Send>,
 }
@@ -83,11 +82,11 @@ impl Drop for Terminal {
     }
 }
 
-/// Far longer than any test; ended by a key.
+/// Runs far longer than any test; a key ends it.
 const ENDLESS: &str = "$KRANK sweep four-bar --step 1e-6";
 
 #[test]
-fn it_is_there_while_one_waits_and_ctrl_c_leaves_a_clean_line() {
+fn progress_is_shown_and_ctrl_c_clears_its_line() {
     let script = format!("trap : INT; {ENDLESS} -o /dev/null; echo code $?");
     for (term, cols, bar) in [
         ("xterm", 100, "\u{2500}"),
@@ -104,7 +103,7 @@ fn it_is_there_while_one_waits_and_ctrl_c_leaves_a_clean_line() {
         terminal.type_in("\x03");
         terminal.wait_for("code 130");
         let left: Vec<String> = terminal.contents().lines().map(str::to_owned).collect();
-        // The terminal itself shows the key; it stands before the line is cleared or behind.
+        // The terminal echoes the key, before or after the line is cleared.
         assert!(
             ["code 130", "^Ccode 130"].contains(&left.concat().as_str()),
             "{left:?}"
@@ -112,9 +111,9 @@ fn it_is_there_while_one_waits_and_ctrl_c_leaves_a_clean_line() {
     }
 }
 
-/// The sweep waits in a write that never ends, its line on the terminal.
+/// The sweep is blocked in a write, with its progress line on the terminal.
 #[test]
-fn ctrl_c_ends_it_where_nobody_takes_the_rows_any_more() {
+fn ctrl_c_ends_a_command_blocked_on_a_full_pipe() {
     let mark = concat!(env!("CARGO_TARGET_TMPDIR"), "/progress-stuck");
     let _ = std::fs::remove_file(mark);
     let reader = format!("{{ timeout 2 cat > /dev/null; echo > {mark}; sleep 1000; }}");
@@ -135,7 +134,7 @@ fn ctrl_c_ends_it_where_nobody_takes_the_rows_any_more() {
 }
 
 #[test]
-fn it_is_gone_when_the_sweep_has_ended() {
+fn progress_is_removed_when_the_sweep_ends() {
     let sweep = "$KRANK sweep stephenson-six-bar --step 0.002 -o /dev/null; echo done";
     let terminal = Terminal::run(sweep, "xterm", 80);
     terminal.wait_for("done");
@@ -143,8 +142,8 @@ fn it_is_gone_when_the_sweep_has_ended() {
 }
 
 #[test]
-fn it_is_not_shown_where_it_would_be_in_the_way() {
-    // Results on the same terminal; a terminal that cannot go back; messages to a file.
+fn progress_is_hidden_if_it_would_disturb_the_output() {
+    // Results on the same terminal; a terminal without cursor movement; messages to a file.
     for (sweep, term) in [
         ("$KRANK sweep four-bar --step 0.001 --columns C.x", "xterm"),
         ("$KRANK sweep press --step 0.001 -o /dev/null", "dumb"),
@@ -161,9 +160,9 @@ fn it_is_not_shown_where_it_would_be_in_the_way() {
     }
 }
 
-/// The same line while methods are measured; Ctrl-C leaves nothing of it, and no half results.
+/// `accuracy` shows the same line; Ctrl-C removes it and prints no partial results.
 #[test]
-fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
+fn accuracy_shows_progress_and_ctrl_c_clears_its_line() {
     let script = "trap : INT; $KRANK accuracy scissor-lift; echo code $?";
     let mut terminal = Terminal::run(script, "linux", 80);
     terminal.wait_for(" of 1,000 parts  ");
@@ -176,7 +175,7 @@ fn a_study_tells_how_far_it_has_come_and_ends_cleanly() {
     );
 }
 
-/// A circle of so many points is a long search.
+/// Returns a task with so many points that the search takes long.
 fn long_task() -> String {
     let points = (0..1000).map(|k| {
         let at = f64::from(k) * std::f64::consts::TAU / 1000.0;
@@ -189,7 +188,7 @@ fn long_task() -> String {
 }
 
 #[test]
-fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
+fn ctrl_c_stops_synthesis_and_prints_results_so_far() {
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/long-path.toml");
     std::fs::write(file, long_task()).unwrap();
     let script = format!("trap : INT; $KRANK synthesize {file} > {file}.txt; echo code $?");
@@ -198,7 +197,7 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
     terminal.type_in("\x03");
     terminal.wait_for("code ");
     let left = terminal.contents();
-    // 0 or 1, as where the search comes to its end: whether anything does the task is another question.
+    // The exit code is 0 or 1, as after a complete search, depending on whether a linkage was found.
     assert!(left.contains("stopped: the results so far"), "{left}");
     let code = left.rsplit("code ").next().unwrap_or_default().trim();
     assert!(["0", "1"].contains(&code), "{left}");
@@ -210,9 +209,9 @@ fn ctrl_c_stops_a_search_and_what_was_found_is_told() {
 const LONG_SOLVE: &str = "$KRANK solve jansen-leg --minimize T.x.stroke --generations 100000 \
     --vary m.length=14..16,j.length=49..51,k.length=61..62";
 
-/// The best so far used to be lost.
+/// Regression test: the best design so far was lost.
 #[test]
-fn ctrl_c_stops_solve_and_the_best_so_far_is_written() {
+fn ctrl_c_stops_solve_and_writes_the_best_so_far() {
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/stopped-solve");
     let _ = std::fs::remove_file(format!("{file}.toml"));
     let script = format!("trap : INT; {LONG_SOLVE} -o {file}.toml > {file}.txt; echo code $?");
@@ -229,9 +228,9 @@ fn ctrl_c_stops_solve_and_the_best_so_far_is_written() {
     assert!(scene.contains("[links]"), "{scene}");
 }
 
-/// Also where messages go to a file, and nothing shows how far it has come.
+/// Messages go to a file, and there is no progress line.
 #[test]
-fn ctrl_c_stops_solve_where_nobody_sees_it() {
+fn interrupt_stops_solve_without_a_terminal() {
     let file = concat!(env!("CARGO_TARGET_TMPDIR"), "/unseen-solve");
     let script = format!("exec {LONG_SOLVE} > {file}.txt 2> {file}.err");
     let mut child = std::process::Command::new("/bin/sh")
@@ -244,7 +243,7 @@ fn ctrl_c_stops_solve_where_nobody_sees_it() {
     let is_caught = || {
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
         assert!(!status.contains("zombie"), "it ended");
-        // The shell has handlers of its own, until it has become the program.
+        // The shell has its own handlers until it is replaced by the program.
         if !status.starts_with("Name:\tkrank\n") {
             return false;
         }
@@ -257,7 +256,7 @@ fn ctrl_c_stops_solve_where_nobody_sees_it() {
     }
     rustix::process::kill_process(pid, rustix::process::Signal::INT).unwrap();
     let status = child.wait().unwrap();
-    // It ends by itself, and not by the signal.
+    // The program exits by itself instead of being killed by the signal.
     assert!(status.code().is_some(), "{status:?}");
     let told = std::fs::read_to_string(format!("{file}.err")).unwrap();
     assert!(told.contains("stopped: the results so far"), "{told}");

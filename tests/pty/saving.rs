@@ -1,4 +1,4 @@
-//! Saving, with kills at any time, several sessions at once, and files that are none.
+//! Tests of saving: kills at any time, several concurrent sessions, and special files.
 
 use crate::session::{Session, Setup};
 use rustix::fs::{FlockOperation, flock};
@@ -10,9 +10,9 @@ use std::process::Command;
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Kills of an ordinary run; `KRANK_KILLS=400 cargo test` for more.
+/// The number of kills in an ordinary run; `KRANK_KILLS=400 cargo test` runs more.
 const KILLS: u64 = 16;
-/// Goes to the crank's length.
+/// Selects the crank's length.
 const TO_CRANK: &str = "6/r2 len\r";
 
 fn four_bar() -> &'static str {
@@ -23,7 +23,7 @@ fn with_crank(length: u32) -> String {
     four_bar().replace("length = 100", &format!("length = {length}"))
 }
 
-/// A folder with a scene in it.
+/// Creates a folder with a scene, and returns both paths.
 fn folder(name: &str) -> (PathBuf, PathBuf) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("saving-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -33,7 +33,7 @@ fn folder(name: &str) -> (PathBuf, PathBuf) {
     (folder, file)
 }
 
-/// krank in a folder, with its state there.
+/// Starts krank in a folder that also has its state.
 fn begin(folder: &Path, scene: &str) -> Session {
     let krank = env!("CARGO_BIN_EXE_krank");
     let line = format!("cd '{}' && exec {krank} {scene}", folder.display());
@@ -51,7 +51,7 @@ fn names(folder: &Path) -> Vec<String> {
     names
 }
 
-/// Any other command completes what was cut off.
+/// Runs another command, which completes interrupted writes.
 fn next_start(folder: &Path) {
     let done = Command::new(env!("CARGO_BIN_EXE_krank"))
         .arg("list")
@@ -61,11 +61,12 @@ fn next_start(folder: &Path) {
     assert!(done.status.success());
 }
 
-/// Owner, group, mode and names stay; the text is one of the two.
+/// Kills krank while it saves, and checks that owner, group, mode and names stay, and that the text
+/// is the old or the new one.
 fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
     let (folder, file) = folder(name);
     fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
-    // Only root may give files away.
+    // Only root can change the owner of files.
     let _ = std::os::unix::fs::chown(&file, Some(4321), Some(1234));
     if is_linked {
         fs::hard_link(&file, folder.join("second")).unwrap();
@@ -77,7 +78,7 @@ fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
     let before = rights(&file);
     let mut saved = 0;
     for kill in 0..kills {
-        // Without the offer of what earlier rounds have left.
+        // Removes the edits of earlier rounds, so that they are not offered.
         let _ = fs::remove_dir_all(folder.join("state"));
         let old = fs::read_to_string(&file).unwrap();
         let key = if old == four_bar() { ">" } else { "<" };
@@ -94,7 +95,7 @@ fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
         saved += usize::from(now != old);
     }
     eprintln!("{kills} kills, {saved} of them after the file was written");
-    // What was left goes with the next who saves.
+    // The next save removes all temporary files.
     let _ = fs::remove_dir_all(folder.join("state"));
     let mut session = begin(&folder, "mine.toml");
     session.wait_for("60.00 deg").send(TO_CRANK);
@@ -110,7 +111,7 @@ fn killed_while_saving(name: &str, is_linked: bool, kills: u64) {
 }
 
 #[test]
-fn kills_while_saving_tear_nothing() {
+fn kills_while_saving_leave_the_old_or_new_file() {
     let kills = std::env::var("KRANK_KILLS")
         .ok()
         .and_then(|n| n.parse().ok());
@@ -121,11 +122,11 @@ fn kills_while_saving_tear_nothing() {
     });
 }
 
-/// Opens the scene where others have it open, and goes on.
+/// Opens a scene that other sessions have open, and dismisses the warning.
 fn join(folder: &Path) -> Session {
     let session = begin(folder, "mine.toml");
     session.wait_for("Open elsewhere");
-    // What is typed before a person can have read it answers nothing.
+    // Keys typed before a user can have read the question are ignored.
     thread::sleep(Duration::from_millis(500));
     session.send_until("\r", "help", |seen| {
         seen.terminal.screen().contents().contains("? help")
@@ -139,7 +140,7 @@ fn edit(session: &Session, nudges: usize) {
     session.wait_for(&format!("*r2 length     {}", 100 + nudges));
 }
 
-/// On a disk that is busy edits are on the screen before they are kept.
+/// Waits until the edits are stored: on a busy disk, they are on the screen earlier.
 fn wait_for_edits(folder: &Path, sessions: usize) {
     let kept = folder.join("state/krank/recovery");
     let end = Instant::now() + crate::session::PATIENCE;
@@ -155,9 +156,9 @@ fn wait_for_edits(folder: &Path, sessions: usize) {
     }
 }
 
-/// Three sessions on one scene, killed in every order: each leaves its edits, and none those of another.
+/// Three sessions on one scene are killed in every order: each keeps its edits and those of the others.
 #[test]
-fn sessions_that_are_killed_in_any_order_leave_all_their_edits() {
+fn sessions_killed_in_any_order_keep_all_their_edits() {
     let orders = [
         [0, 1, 2],
         [0, 2, 1],
@@ -196,18 +197,18 @@ fn sessions_that_are_killed_in_any_order_leave_all_their_edits() {
     });
 }
 
-/// Who saves second is told, whatever is done to the first one meanwhile; nobody's edits go.
+/// The session that saves second must confirm, even if the first one is killed; no edits are lost.
 #[test]
-fn of_two_sessions_that_save_at_once_the_later_is_asked() {
+fn second_of_two_saving_sessions_must_confirm() {
     for (name, kills_first) in [("two", false), ("two-killed", true)] {
         later_is_asked(name, kills_first);
     }
 }
 
-/// The later one is killed while it is asked: its edits are offered, with a word on why they do not fit. Which
-/// word it is hangs on whether they were made in the same second as the file.
+/// The second session is killed while it asks. Its edits are offered with the reason why they do
+/// not fit. The reason depends on whether they were made in the same second as the file.
 #[test]
-fn what_the_later_of_two_sessions_held_is_offered() {
+fn edits_of_a_killed_second_session_are_offered() {
     for (name, kills_first) in [("later", false), ("later-killed", true)] {
         let folder = later_is_asked(name, kills_first);
         let mut next = begin(&folder, "mine.toml");
@@ -254,9 +255,9 @@ fn later_is_asked(name: &str, kills_first: bool) -> PathBuf {
     folder
 }
 
-/// `w` on a pipe used to hang, beyond SIGTERM; an endless device ate the memory.
+/// Regression test: `w` on a pipe hung even on SIGTERM, and an endless device exhausted the memory.
 #[test]
-fn what_is_no_file_is_refused_and_nothing_hangs() {
+fn special_files_are_rejected_without_hanging() {
     let (folder, file) = folder("kinds");
     let pipe = folder.join("pipe");
     assert!(
@@ -274,7 +275,7 @@ fn what_is_no_file_is_refused_and_nothing_hangs() {
     feeding.join().unwrap().unwrap();
     session.wait_for("? help");
     edit(&session, 1);
-    // What came through a pipe is saved elsewhere.
+    // A scene read from a pipe is saved to another file.
     session.send("w");
     session.wait_for("write to: scene.toml").send("\x1b");
     session.wait_for("? help");
@@ -285,7 +286,7 @@ fn what_is_no_file_is_refused_and_nothing_hangs() {
     }
     session.signal(Signal::TERM);
     assert!(!session.ended_as_found().success());
-    // A scene that becomes a pipe while it is open.
+    // The file of a scene becomes a pipe while it is open.
     let mut session = begin(&folder, "mine.toml");
     session.wait_for("? help");
     fs::remove_file(&file).unwrap();
@@ -295,10 +296,9 @@ fn what_is_no_file_is_refused_and_nothing_hangs() {
     assert!(session.ended_as_found().success());
 }
 
-/// A disk that hangs, as far as a test can have one: somebody keeps the lock under which is saved. Keys are
-/// heard meanwhile, and so is the end.
+/// Simulates a hanging disk: the test holds the lock needed for saving. Keys and signals are still handled.
 #[test]
-fn saving_that_takes_long_keeps_no_key_waiting() {
+fn slow_save_does_not_block_keys() {
     let (folder, file) = folder("hangs");
     let lock = File::open(&folder).unwrap();
     flock(&lock, FlockOperation::LockExclusive).unwrap();
@@ -308,7 +308,7 @@ fn saving_that_takes_long_keeps_no_key_waiting() {
     session.send("w");
     session.wait_for("writing mine.toml").send("1.");
     session.wait_for("65.00 deg");
-    // It gives up, and nothing is lost.
+    // The save fails, and no edits are lost.
     session.wait_for("another program is writing to it");
     session.send("w");
     session.wait_for("writing mine.toml");
@@ -324,9 +324,9 @@ fn saving_that_takes_long_keeps_no_key_waiting() {
     assert!(!session.ended_as_found().success());
 }
 
-/// What was asked for of one scene is nothing to the next.
+/// The end of a save must not affect a scene opened in the meantime.
 #[test]
-fn a_scene_that_is_shown_meanwhile_is_not_taken_for_the_one_that_was_saved() {
+fn scene_opened_during_a_save_does_not_get_its_file() {
     let (folder, _) = folder("meanwhile");
     let lock = File::open(&folder).unwrap();
     flock(&lock, FlockOperation::LockExclusive).unwrap();
@@ -346,7 +346,7 @@ fn a_scene_that_is_shown_meanwhile_is_not_taken_for_the_one_that_was_saved() {
         fs::read_to_string(folder.join("mine-too.toml")).unwrap(),
         four_bar()
     );
-    // The other one has no file.
+    // The other scene has no file.
     session.send("w");
     session.wait_for("write to: ").send("\x1b");
     session.wait_for("? help").send("q");
@@ -357,9 +357,9 @@ fn a_scene_that_is_shown_meanwhile_is_not_taken_for_the_one_that_was_saved() {
     );
 }
 
-/// A home is meant by `~`, and a name may have 255 bytes and letters of any language.
+/// `~` is the home folder, and a name can have 255 bytes and letters of any language.
 #[test]
-fn names_are_taken_as_they_are_typed() {
+fn file_names_accept_tilde_unicode_and_255_bytes() {
     let (folder, _) = folder("names");
     let krank = env!("CARGO_BIN_EXE_krank");
     let line = format!("cd '{}' && exec {krank} mine.toml", folder.display());

@@ -1,4 +1,4 @@
-//! The scene's file, unsaved edits and what may happen to them, with the real binary on a pseudo-terminal.
+//! Tests of the scene's file and of unsaved edits, with the real binary on a pseudo-terminal.
 
 use crate::session::PATIENCE;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
@@ -10,7 +10,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A program on a terminal of its own.
+/// A program on its own terminal.
 struct Session {
     terminal: Arc<Mutex<vt100::Parser>>,
     keys: Box<dyn Write + Send>,
@@ -19,7 +19,7 @@ struct Session {
 }
 
 impl Session {
-    /// Runs a line of the shell in which `$KRANK` is the program; its state is kept in the folder.
+    /// Runs a shell line in which `$KRANK` is the program, with its state in the folder.
     fn run(folder: &Path, line: &str) -> Session {
         let mut command = CommandBuilder::new("/bin/sh");
         command.args(["-c", line]);
@@ -74,7 +74,7 @@ impl Session {
         self
     }
 
-    /// Answers a question: what is typed before a person can have read it answers nothing.
+    /// Answers a question. Keys typed before a user can have read it are ignored.
     fn answer(&mut self, key: &str, question: &str) -> &mut Self {
         self.wait_for(question);
         thread::sleep(Duration::from_millis(500));
@@ -108,7 +108,7 @@ impl Drop for Session {
     }
 }
 
-/// A folder with a scene in it.
+/// Creates a folder with a scene, and returns both paths.
 fn folder(name: &str) -> (PathBuf, PathBuf) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("pty-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -122,12 +122,12 @@ fn four_bar() -> &'static str {
     krank::scene::presets::find("four-bar").unwrap().text
 }
 
-/// Goes to the crank's length and makes it 101.
+/// Selects the crank's length and changes it to 101.
 const EDIT: &str = "6/r2 len\r>";
 const EDITED: &str = "*r2 length     101     mm";
 
 #[test]
-fn edits_outlive_the_program_whatever_ends_it() {
+fn unsaved_edits_survive_any_signal() {
     let (folder, file) = folder("killed");
     for signal in [9, 15, 1] {
         let mut session = Session::run(&folder, "exec $KRANK mine.toml");
@@ -139,7 +139,7 @@ fn edits_outlive_the_program_whatever_ends_it() {
         assert!(killed.unwrap().success());
         assert!(!session.ended());
         assert_eq!(fs::read_to_string(&file).unwrap(), four_bar());
-        // Begun again, from elsewhere: it is the same file.
+        // Started again from another folder: it is the same file.
         let mut session = Session::run(&folder, "cd / && exec $KRANK \"$HOME/mine.toml\"");
         session.answer("t", "t take");
         session.send("6/r2 len\r").wait_for(EDITED);
@@ -148,20 +148,20 @@ fn edits_outlive_the_program_whatever_ends_it() {
             .wait_for("r2 length     100     mm")
             .send("q");
         assert!(session.ended(), "nothing is unsaved");
-        // They were taken back, not dropped.
+        // The edits were undone, but not discarded.
         let mut session = Session::run(&folder, "exec $KRANK mine.toml");
         session.answer("dd", "t take");
         session.wait_for("edits deleted").send("q");
         assert!(session.ended());
     }
-    // Nothing is left to offer.
+    // There are no more edits to offer.
     let mut session = Session::run(&folder, "exec $KRANK mine.toml");
     session.wait_for("? help").send("q");
     assert!(session.ended());
 }
 
 #[test]
-fn a_change_on_disk_is_seen_without_a_key() {
+fn change_on_disk_is_shown_without_a_key() {
     let (folder, file) = folder("changed");
     let mut session = Session::run(&folder, "exec $KRANK mine.toml");
     session
@@ -171,7 +171,7 @@ fn a_change_on_disk_is_seen_without_a_key() {
     let text = |length: &str| four_bar().replace("length = 100", &format!("length = {length}"));
     fs::write(&file, text("123")).unwrap();
     session.wait_for("r2 length     123     mm");
-    // As most editors do: another file takes its place.
+    // Like most editors, replaces the file by another one.
     let other = folder.join("other.toml");
     fs::write(&other, text("124")).unwrap();
     fs::rename(&other, &file).unwrap();
@@ -185,9 +185,9 @@ fn a_change_on_disk_is_seen_without_a_key() {
     assert!(session.ended());
 }
 
-/// No file may grow beyond nothing: as a disk that is full.
+/// The limit on the file size is 0 blocks, as on a full disk.
 #[test]
-fn a_full_disk_leaves_file_and_edits() {
+fn full_disk_keeps_file_and_edits() {
     let (folder, file) = folder("full");
     let line = "trap '' XFSZ; ulimit -f 0; exec $KRANK mine.toml";
     let mut session = Session::run(&folder, line);
@@ -206,9 +206,9 @@ fn a_full_disk_leaves_file_and_edits() {
     );
 }
 
-/// Edits used to be kept nowhere without a word.
+/// Regression test: without a home, edits were lost without a warning.
 #[test]
-fn edits_without_a_home_are_not_kept_in_silence() {
+fn missing_home_warns_that_edits_are_not_kept() {
     for home in ["HOME=", "HOME=relative"] {
         let (folder, _) = folder("homeless");
         let line = format!("export {home}; unset XDG_STATE_HOME; exec $KRANK mine.toml");
@@ -221,7 +221,7 @@ fn edits_without_a_home_are_not_kept_in_silence() {
 }
 
 #[test]
-fn leaving_asks_and_saves() {
+fn quitting_asks_to_save_unsaved_edits() {
     let (folder, file) = folder("asked");
     let mut session = Session::run(&folder, "exec $KRANK mine.toml");
     session.wait_for("60.00 deg").send(EDIT).wait_for(EDITED);

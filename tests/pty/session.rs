@@ -1,4 +1,4 @@
-//! A program on a pseudo-terminal of its own, with an emulated screen at the other end.
+//! A program on its own pseudo-terminal, with an emulated screen at the other end.
 
 use portable_pty::{
     Child, CommandBuilder, ExitStatus, MasterPty, PtySize, SlavePty, native_pty_system,
@@ -12,17 +12,17 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What takes longer hangs, however much else the machine has to do.
+/// A wait longer than this means that the program hangs, even on a busy machine.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(120);
-/// After so long keys without an effect are sent again.
+/// Keys without an effect are sent again after this time.
 const AGAIN: Duration = Duration::from_secs(2);
 pub(crate) const QUESTION: &[u8] = b"\x1b[5n";
 const ANSWER: &[u8] = b"\x1b[0n";
 
-/// Bytes a second of a line of 9,600 baud.
+/// Bytes per second of a line with 9,600 baud.
 const SLOW: usize = 960;
 
-/// What has come from the program.
+/// The output received from the program.
 pub(crate) struct Seen {
     pub(crate) terminal: vt100::Parser,
     pub(crate) bytes: Vec<u8>,
@@ -46,49 +46,49 @@ impl Seen {
         screen.rows(0, screen.size().1.get()).collect()
     }
 
-    /// How often a sequence of bytes has come.
+    /// Returns the number of occurrences of a byte sequence.
     pub(crate) fn count(&self, sequence: &[u8]) -> usize {
         let windows = self.bytes.windows(sequence.len());
         windows.filter(|bytes| *bytes == sequence).count()
     }
 }
 
-/// A program on a terminal of its own.
+/// A program on its own terminal.
 pub(crate) struct Session {
     pub(crate) seen: Arc<Mutex<Seen>>,
     keys: Arc<Mutex<Box<dyn Write + Send>>>,
     pub(crate) child: Box<dyn Child + Send + Sync>,
-    /// `None` once the line was cut.
+    /// `None` after the line was cut.
     master: Option<Box<dyn MasterPty + Send>>,
     switches: Arc<Switches>,
-    /// Kept open: the modes are asked for after the program has left.
+    /// Kept open, since its modes are read after the program has ended.
     _slave: Box<dyn SlavePty + Send>,
     found: String,
 }
 
-/// What the reader at the other end is told.
+/// Switches that control the reader at the other end.
 #[derive(Default)]
 struct Switches {
-    /// To close its end at the next byte.
+    /// Close the line at the next byte.
     cut: AtomicBool,
-    /// To take whatever comes at once.
+    /// Read everything without delay.
     hurry: AtomicBool,
-    /// To answer no more.
+    /// Stop answering.
     silent: AtomicBool,
 }
 
-/// How the terminal at the other end behaves.
+/// The behaviour of the terminal at the other end.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Manner {
     Answers,
     Mute,
-    /// Answers, and takes 960 bytes a second, as a line of 9,600 baud.
+    /// Answers and reads 960 bytes per second, like a line with 9,600 baud.
     Slow,
-    /// Takes nothing at all, as a line that hangs.
+    /// Reads nothing, like a stalled line.
     Stalled,
 }
 
-/// What a session begins with.
+/// The configuration of a session.
 pub(crate) struct Setup {
     command: CommandBuilder,
     manner: Manner,
@@ -96,12 +96,12 @@ pub(crate) struct Setup {
 }
 
 impl Setup {
-    /// krank with these arguments, on an emulator of 80 x 24 that answers.
+    /// Runs krank with these arguments on an emulator of 80 x 24 that answers.
     pub(crate) fn krank(arguments: &[&str]) -> Self {
         Setup::program(env!("CARGO_BIN_EXE_krank"), arguments)
     }
 
-    /// krank as a script of /bin/sh starts it.
+    /// Runs a script with /bin/sh.
     pub(crate) fn script(script: &str) -> Self {
         Setup::program("/bin/sh", &["-c", script])
     }
@@ -112,14 +112,14 @@ impl Setup {
         let usual = [
             ("TERM", "xterm-256color"),
             ("LC_ALL", "C.UTF-8"),
-            // Nobody's configuration, nothing that an earlier run has left, and nowhere to leave anything.
+            // There is no configuration, no state of earlier runs, and no place to write state.
             ("XDG_CONFIG_HOME", "/nowhere/configuration"),
             ("XDG_STATE_HOME", "/dev/null/state"),
         ];
         for (name, value) in usual {
             command.env(name, value);
         }
-        // A backtrace would push what is told off the screen.
+        // A backtrace would push the message off the screen.
         for name in ["NO_COLOR", "COLORTERM", "RUST_BACKTRACE", "KRANK_FAULT"] {
             command.env_remove(name);
         }
@@ -187,12 +187,12 @@ impl Session {
         self.keys.lock().unwrap().write_all(bytes).unwrap();
     }
 
-    /// Sends to a program that may be gone by now.
+    /// Sends bytes to a program that may have ended.
     pub(crate) fn send_if_there(&self, bytes: &[u8]) {
         let _ = self.keys.lock().unwrap().write_all(bytes);
     }
 
-    /// From now on the terminal answers nothing.
+    /// Makes the terminal stop answering.
     pub(crate) fn fall_silent(&self) {
         self.switches.silent.store(true, Ordering::SeqCst);
     }
@@ -222,8 +222,8 @@ impl Session {
         }
     }
 
-    /// Sends keys until something holds, again whenever they have had no effect for a while: a program that has
-    /// not come to read what was before them may take them for a part of it.
+    /// Sends keys until a condition holds, and again if they had no effect for a while: a program
+    /// that has not yet read the previous input may take them for a part of it.
     pub(crate) fn send_until(&self, keys: &str, what: &str, holds: impl Fn(&Seen) -> bool) {
         let end = Instant::now() + PATIENCE;
         while Instant::now() < end {
@@ -239,8 +239,8 @@ impl Session {
         panic!("no {what} on\n{}", self.screen());
     }
 
-    /// Waits until nothing has come for a while: a shorter one where the program sleeps. One that measures in the
-    /// background never does.
+    /// Waits until no output has arrived for a while: a shorter time if the program sleeps. A
+    /// program that measures in the background never sleeps.
     pub(crate) fn settle(&self) {
         let (mut last, mut quiet) = (self.bytes(), 0);
         while quiet < 3 || (quiet < 40 && !self.sleeps()) {
@@ -264,7 +264,7 @@ impl Session {
         stats.into_iter().all(|state| state != 'R')
     }
 
-    /// Waits until everything that was written to the terminal has come, by a mark written behind it.
+    /// Waits until all output has arrived, by writing a mark after it.
     fn drain(&self) {
         const MARK: &[u8] = b"\x1b]9999;end\x07";
         let name = self.master.as_ref().and_then(|master| master.tty_name());
@@ -287,14 +287,14 @@ impl Session {
         kill_process(self.pid(), signal).unwrap();
     }
 
-    /// Tells the program a size, whatever the screen's is.
+    /// Sets the size that the program sees, independently of the screen's size.
     pub(crate) fn tell_size(&self, cols: u16, rows: u16) {
         let size = size(cols, rows);
         self.master.as_ref().unwrap().resize(size).unwrap();
     }
 
     pub(crate) fn resize(&self, cols: u16, rows: u16) {
-        // What is drawn for the new size is not to be seen by the old screen.
+        // The old screen must not receive what is drawn for the new size.
         let mut seen = self.seen.lock().unwrap();
         self.tell_size(cols, rows);
         if cols > 0 && rows > 0 {
@@ -302,12 +302,12 @@ impl Session {
         }
     }
 
-    /// Another screen in place of the one that was drawn on.
+    /// Replaces the screen by an empty one.
     pub(crate) fn wipe(&self) {
         self.seen.lock().unwrap().terminal = emulator(80, 24);
     }
 
-    /// Closes every descriptor of the terminal's end.
+    /// Closes all descriptors of the terminal's end.
     pub(crate) fn hang_up(&mut self) {
         self.switches.cut.store(true, Ordering::SeqCst);
         self.wake_reader();
@@ -315,26 +315,26 @@ impl Session {
         self.master = None;
     }
 
-    /// Sends the reading thread one byte: it owns a copy of the line, and closes it only once it has read.
+    /// Sends one byte to the reader thread: it owns a copy of the line, and closes it only after a read.
     fn wake_reader(&self) {
         let line = self.master.as_deref().and_then(MasterPty::tty_name);
         let flags = OFlags::WRONLY | OFlags::NOCTTY | OFlags::NONBLOCK;
         let line = rustix::fs::open(line.unwrap(), flags, Mode::empty()).unwrap();
-        // A full line wakes it as well.
+        // A full line wakes the reader as well.
         let _ = rustix::io::write(line, b"\0");
     }
 
-    /// Lets a reader that takes nothing go.
+    /// Releases a stalled reader.
     pub(crate) fn release(&self) {
         self.switches.cut.store(true, Ordering::SeqCst);
     }
 
-    /// From now on a slow terminal takes whatever comes at once.
+    /// Makes a slow terminal read everything without delay.
     pub(crate) fn hurry(&self) {
         self.switches.hurry.store(true, Ordering::SeqCst);
     }
 
-    /// Presses Ctrl-C until the program has ended.
+    /// Sends Ctrl-C until the program has ended.
     pub(crate) fn ended_by_ctrl_c(&mut self) -> ExitStatus {
         let end = Instant::now() + PATIENCE;
         loop {
@@ -367,7 +367,7 @@ impl Session {
         }
     }
 
-    /// Waits for the end, and sees to it that nothing was left behind.
+    /// Waits for the end of the program and checks that the terminal is restored.
     pub(crate) fn ended_as_found(&mut self) -> ExitStatus {
         let status = self.ended();
         self.drain();
@@ -375,7 +375,7 @@ impl Session {
         status
     }
 
-    /// The modes of the line as they were found.
+    /// Checks that the line has its original modes.
     pub(crate) fn line_as_found(&self) {
         assert_eq!(modes(self.master.as_deref().unwrap()), self.found);
     }

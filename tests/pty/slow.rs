@@ -1,5 +1,5 @@
-//! A real line of 960 bytes a second. How soon something shows on one is tested with a simulated clock, in
-//! `src/tui/tests/slow_line.rs`.
+//! Tests on a real line of 960 bytes per second. `src/tui/tests/slow_line.rs` tests the time until
+//! something is shown, with a simulated clock.
 
 use crate::session::{Manner, QUESTION, Seen, Session, Setup};
 
@@ -12,7 +12,7 @@ fn last_row(seen: &Seen) -> String {
 }
 
 #[test]
-fn the_first_frame_tells_a_slow_line_from_a_fast_one() {
+fn first_frame_asks_the_terminal_within_240_bytes() {
     let session = slow(&["four-bar"]);
     session.wait_until("a question", |seen| seen.count(QUESTION) > 0);
     let seen = session.seen.lock().unwrap();
@@ -23,7 +23,7 @@ fn the_first_frame_tells_a_slow_line_from_a_fast_one() {
 }
 
 #[test]
-fn a_key_held_down_shows_all_rows_in_the_end() {
+fn repeated_key_on_slow_line_ends_with_complete_tables() {
     let session = slow(&["four-bar"]);
     session.wait_for("? help").wait_for("-3.9164");
     session.send(&".".repeat(40));

@@ -1,5 +1,4 @@
-//! Over a real sshd on this machine's own address, where one can be started: a connection that is cut
-//! ends the program.
+//! Tests over a real sshd on the local address, if one can be started: a cut connection ends the program.
 
 use crate::session::{PATIENCE, Session, Setup};
 use rustix::process::{Pid, Signal, kill_process};
@@ -10,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// A server with a port and keys of its own; nothing of the machine's configuration is read.
+/// A server with its own port and keys; it reads no configuration of the machine.
 struct Server {
     process: Child,
     port: u16,
@@ -18,7 +17,7 @@ struct Server {
 }
 
 impl Server {
-    /// `None`, with the reason, where it cannot be started.
+    /// Starts a server, or returns the reason why it cannot be started.
     fn start(name: &str) -> Result<Server, String> {
         let sshd = ["/usr/sbin/sshd", "/usr/local/sbin/sshd"];
         let sshd = sshd.into_iter().find(|path| Path::new(path).exists());
@@ -65,7 +64,7 @@ impl Server {
         Ok(server)
     }
 
-    /// krank at the other end of a connection; its process is told once it runs.
+    /// Starts krank over a connection; the remote shell writes its process id to a file.
     fn krank(&self) -> Session {
         let at = self.folder.display();
         let krank = env!("CARGO_BIN_EXE_krank");
@@ -113,7 +112,7 @@ impl Drop for Server {
     }
 }
 
-/// Whether a process is there and does something: one that nobody has buried yet does not.
+/// Returns `true` if a process exists and is not a zombie.
 fn runs(pid: i32) -> bool {
     let stat = fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
     let state = stat
@@ -124,7 +123,7 @@ fn runs(pid: i32) -> bool {
 }
 
 #[test]
-fn a_connection_that_is_cut_ends_it() {
+fn cut_ssh_connection_ends_the_program() {
     let server = match Server::start("sshd-cut") {
         Ok(server) => server,
         Err(reason) => {
@@ -137,7 +136,7 @@ fn a_connection_that_is_cut_ends_it() {
     session.wait_for("pause");
     let pid = server.pid_of_krank();
     assert!(runs(pid));
-    // The line hangs for a while, then it is cut.
+    // The line hangs for a while before it is cut.
     let client = session.pid();
     kill_process(client, Signal::STOP).unwrap();
     thread::sleep(Duration::from_millis(500));
@@ -154,7 +153,7 @@ fn a_connection_that_is_cut_ends_it() {
 }
 
 #[test]
-fn over_a_connection_it_quits_as_found() {
+fn quit_over_ssh_restores_the_terminal() {
     let Ok(server) = Server::start("sshd-quit") else {
         eprintln!("skipped: no sshd can be started");
         return;

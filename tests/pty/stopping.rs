@@ -1,9 +1,9 @@
-//! Stopped and continued, as the shell's job control does it.
+//! Tests of stop and continue by the job control of a shell.
 
 use crate::session::{Session, Setup};
 use rustix::process::Signal;
 
-/// A shell with job control, as a person has.
+/// Starts an interactive shell with job control.
 fn shell() -> Session {
     let session = Setup::program("/bin/sh", &["-i"])
         .env("PS1", "ready> ")
@@ -12,7 +12,7 @@ fn shell() -> Session {
     session
 }
 
-/// Before its prompt the shell throws away what is typed.
+/// Waits for the prompt: the shell discards keys typed before it.
 fn wait_for_the_prompt(session: &Session) {
     session.wait_until("prompt", |seen| {
         let screen = seen.terminal.screen();
@@ -21,7 +21,7 @@ fn wait_for_the_prompt(session: &Session) {
 }
 
 #[test]
-fn the_shell_gets_its_terminal_while_it_is_stopped() {
+fn ctrl_z_returns_the_terminal_to_the_shell() {
     let session = shell();
     let krank = env!("CARGO_BIN_EXE_krank");
     session.send(&format!("{krank} four-bar\r"));
@@ -39,12 +39,12 @@ fn the_shell_gets_its_terminal_while_it_is_stopped() {
     session.wait_for("gone4");
 }
 
-/// By a signal from elsewhere rather than by key: the same.
+/// A signal from another process has the same effect as the key.
 #[test]
-fn a_signal_to_stop_gives_the_terminal_back_too() {
+fn sigtstp_returns_the_terminal_to_the_shell() {
     let session = shell();
     let krank = env!("CARGO_BIN_EXE_krank");
-    // The shell's own pid becomes that of krank's parent; the signal goes to the job.
+    // The shell is krank's parent; the signal is sent to the job.
     session.send(&format!("{krank} four-bar\r"));
     session.wait_for("60.00 deg");
     let parent = session.pid().as_raw_nonzero();
@@ -66,7 +66,7 @@ fn a_signal_to_stop_gives_the_terminal_back_too() {
 }
 
 #[test]
-fn stopped_from_outside_it_paints_all_again_when_it_goes_on() {
+fn sigcont_after_sigstop_repaints_the_screen() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg");
     session.settle();
@@ -78,7 +78,7 @@ fn stopped_from_outside_it_paints_all_again_when_it_goes_on() {
 }
 
 #[test]
-fn without_a_shell_it_does_not_stop_for_ever() {
+fn ctrl_z_without_a_shell_does_not_hang() {
     let mut session = Session::krank(&["four-bar"]);
     session.wait_for("60.00 deg").send("\x1a.");
     session.wait_for("65.00 deg").send("q");

@@ -1,10 +1,10 @@
-//! What is taken out of the workbench: bytes for the terminal's clipboard, and files.
+//! Tests of output from the workbench: bytes for the terminal's clipboard, and files.
 
 use crate::session::{Manner, Setup};
 
-/// What was copied arrives once and whole, between frames, also on a line that takes it slowly.
+/// Copied text arrives once and complete, between frames, even on a slow line.
 #[test]
-fn what_is_copied_arrives_once_and_whole() {
+fn clipboard_sequence_is_sent_once_and_complete() {
     for manner in [Manner::Answers, Manner::Mute, Manner::Slow] {
         let mut session = Setup::krank(&["four-bar"]).manner(manner).start();
         session.wait_for("60.00 deg").send(" 2");
@@ -20,7 +20,7 @@ fn what_is_copied_arrives_once_and_whole() {
             panic!("{} sequences", sent.len());
         };
         let text = sent.split("\x1b\\").next().unwrap();
-        // `vector\tlength [mm]` and so on, no byte of a frame among it.
+        // Starts with `vector\tlength [mm]`, and contains no byte of a frame.
         assert!(text.starts_with("dmVjdG9yCWxlbmd0aCBbbW1d"), "{text}");
         assert!(text.len() > 300 && text.len() % 4 == 0, "{text}");
         let digit = |b: u8| b.is_ascii_alphanumeric() || b"+/=".contains(&b);
@@ -29,7 +29,7 @@ fn what_is_copied_arrives_once_and_whole() {
 }
 
 #[test]
-fn a_console_without_a_clipboard_is_told_what_to_do() {
+fn console_without_clipboard_suggests_another_key() {
     let arguments = ["four-bar", "--view", "tables"];
     let mut session = Setup::krank(&arguments).env("TERM", "linux").start();
     session.wait_for("> r2").send("y");
@@ -41,9 +41,9 @@ fn a_console_without_a_clipboard_is_told_what_to_do() {
     assert!(!String::from_utf8_lossy(&seen.bytes).contains("\x1b]52"));
 }
 
-/// A disk that is full half way through the file: the limit of a file's size stands for it.
+/// A limit on the file size acts like a disk that fills up during the write.
 #[test]
-fn what_does_not_fit_on_the_disk_leaves_nothing_behind() {
+fn failed_write_leaves_no_file() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("no-room");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
@@ -56,7 +56,7 @@ fn what_does_not_fit_on_the_disk_leaves_nothing_behind() {
     session.wait_for("> ").send("Y\r");
     session.wait_for("not written: the file is too large");
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 0);
-    // What was asked for is still there to be written elsewhere.
+    // The file name stays in the prompt, to be changed.
     session.wait_for("write to: jansen-leg-").send("\x1b");
     session.wait_for("? help").send("q");
     assert!(session.ended_as_found().success());

@@ -1,9 +1,10 @@
-//! A state as bits: what must be the same is the same to the last one.
+//! Converts states to bits, to compare them exactly.
 
 use krank::Mechanism;
 use krank::solver::State;
 
-/// Every figure of a state, in the order of the mechanism, as bits; none where it does not exist.
+/// Returns every value of a state as bits, in the order of the mechanism, with lengths divided by
+/// `length`. Missing values are `None`.
 pub(crate) fn bits(mechanism: &Mechanism, state: &State, length: f64) -> Vec<Option<u64>> {
     let mut figures = Vec::new();
     for id in mechanism.point_ids() {

@@ -1,12 +1,12 @@
-//! What a state must satisfy whatever the mechanism, worked out from the mechanism alone.
+//! Conditions that a state must satisfy for any mechanism, computed from the mechanism alone.
 
 use krank::solver::State;
 use krank::{Body, Input, Mechanism, Slider, Vec2, angle};
 
-/// Half an ulp of 1: the unit of rounding.
+/// Unit roundoff: half an ulp of 1.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
-/// The longest link: the largest distance between two points of one.
+/// Returns the largest distance between two points of one link.
 pub(crate) fn longest_link(mechanism: &Mechanism) -> f64 {
     let mut longest: f64 = 0.0;
     for link in mechanism.links() {
@@ -19,9 +19,9 @@ pub(crate) fn longest_link(mechanism: &Mechanism) -> f64 {
     longest
 }
 
-/// How far a state is from closing: the largest distance between where a link has one of its points
-/// and where the point is, between a sliding point and its guide, and between the driver's coordinate
-/// and what was asked for (a turned link by the arc of the longest link).
+/// Returns the closure error of a state: the largest of these distances: between a link's own point
+/// and the point's position, between a sliding point and its guide, and between the driver's
+/// coordinate and its requested value. Angles count as arcs of the longest link.
 pub(crate) fn closure_error(mechanism: &Mechanism, state: &State) -> f64 {
     let links = links_error(mechanism, state);
     let slides = slides_error(mechanism, state);
@@ -59,7 +59,7 @@ fn slides_error(mechanism: &Mechanism, state: &State) -> f64 {
         let (through, along) = match slide.on {
             Body::Ground => (slide.through, slide.direction()),
             Body::Link(on) => {
-                // Any point of the link leads to its frame; it has one, or it could not be built.
+                // Any point of the link gives its frame; a link without points cannot be built.
                 let member = mechanism.link(on).members[0];
                 let turn = state.direction(on).unwrap();
                 let origin = state.position(member.point).unwrap() - member.local.turned(turn);
