@@ -96,7 +96,7 @@ fn check(path: &Path, faults: impl Fn(&[u8], &str) -> Option<Diagnostics>) -> Ve
 }
 
 #[test]
-fn broken_scenes_are_rejected_with_expected_message_and_position() {
+fn broken_scenes_are_rejected_with_expected_message_and_place() {
     let mut report = String::new();
     let files = broken();
     assert!(files.len() >= 40, "only {} broken scenes", files.len());
@@ -109,7 +109,7 @@ fn broken_scenes_are_rejected_with_expected_message_and_position() {
 }
 
 #[test]
-fn broken_tasks_are_rejected_with_expected_message_and_position() {
+fn broken_tasks_are_rejected_with_expected_message_and_place() {
     let mut report = String::new();
     let files = files_of("tests/broken_tasks");
     assert!(files.len() >= 40, "only {} broken tasks", files.len());
@@ -219,7 +219,7 @@ fn extreme_numbers_in_tasks_give_finite_results() {
 
 /// Unicode output must be as harmless as ASCII output.
 #[test]
-fn no_control_character_of_a_file_reaches_the_terminal() {
+fn error_messages_contain_no_control_characters() {
     for path in broken() {
         let bytes = std::fs::read(&path).unwrap();
         let Some(faults) = faults(&bytes, "evil\u{1b}[2J\u{202e}.toml") else {

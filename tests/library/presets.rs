@@ -207,7 +207,7 @@ fn every_preset_has_a_source_a_note_and_a_title() {
 }
 
 #[test]
-fn every_preset_covers_the_range_of_its_geometry() {
+fn every_preset_covers_its_geometric_range() {
     for Expected { name, reach, .. } in &EXPECTED {
         let scene = freed(name);
         match (reach, solver(&scene).motion().range) {

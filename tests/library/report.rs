@@ -212,7 +212,7 @@ fn html_is_well_formed_and_self_contained() {
 }
 
 #[test]
-fn the_checker_finds_what_is_wrong() {
+fn checkers_reject_malformed_html_and_latex() {
     let page = |inside: &str| format!("<!DOCTYPE html>{inside}");
     assert_eq!(is_well_formed(&page("<p>a &lt; b<br/></p>")), Ok(()));
     for bad in [

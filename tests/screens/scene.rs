@@ -28,7 +28,7 @@ impl Values for Session {
 }
 
 #[test]
-fn lists_every_value() {
+fn scene_view_lists_every_value() {
     insta::assert_snapshot!("scene-120x40", four_bar(120, 40).press("6").look());
     // On the smallest screen, the list fills the screen and can be scrolled.
     let told = [

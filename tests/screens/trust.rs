@@ -46,7 +46,7 @@ const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
 
 /// Unproved digits are dim, or dots without colours.
 #[test]
-fn digits_that_nothing_proves_are_told() {
+fn unproved_digits_are_dim_or_dotted() {
     let plain = |cols, rows| {
         let opened = open(SWINGING, Origin::Stdin);
         let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);

@@ -41,7 +41,7 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn opens_on_the_lectures_four_bar() {
+fn opening_screen_shows_lecture_four_bar() {
     let screen = four_bar(Glyphs::Braille, 80, 24).look();
     insta::assert_snapshot!("four-bar-braille-80x24", masked(&screen));
     let screen = four_bar(Glyphs::Ascii, 40, 12).look();
