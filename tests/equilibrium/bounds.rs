@@ -1,4 +1,5 @@
-//! Bounds in machines of every topology, against the same states in twice the digits.
+//! Tests error bounds in machines of every topology, against the same states in double-double
+//! arithmetic.
 
 use crate::chance::Chance;
 use crate::grow::{Machine, machine};
@@ -7,26 +8,27 @@ use krank::quantity::{self, Aspect, Share, Subject};
 use krank::solver::{Condition, GroupKind, Order, Solver, Workspace};
 use krank::{Ball, Double, Input, Mechanism, Slider};
 
-/// Places of the driver beside the start, as parts of its step.
+/// Driver positions relative to the start, in units of its step.
 const PLACES: [f64; 5] = [0.0, 0.31, -0.7, 1.7, -2.3];
-/// An error below this part of the largest figure of its kind is small by luck: what a bound is against it
-/// says nothing.
+/// An error below this part of the largest value of its kind is small by chance, so that the ratio
+/// of a bound to it says nothing.
 const LUCK: f64 = f64::EPSILON / 2.0;
-/// How many times the error bounds of forces may be in the median: of machines of dyads, and of others.
+/// Maximum median ratio of force bounds to errors: for machines made of dyads only, and for others.
 const NEAR: [f64; 2] = [15.0, 40.0];
 
-/// What was held.
+/// Statistics of the checks.
 #[derive(Debug, Default)]
 struct Held {
     machines: u64,
     figures: u64,
-    /// Figures of which nothing is proved.
+    /// Values without a bound.
     unproved: u64,
-    /// Bounds as parts of the errors, of motion and of forces: of machines of dyads, and of others.
+    /// Ratios of bounds to errors, of motion and of forces: for machines made of dyads only, and
+    /// for others.
     over: [[Vec<f64>; 2]; 2],
 }
 
-/// A figure of a state.
+/// A value of a state.
 struct Figure {
     subject: Subject,
     aspect: Aspect,
@@ -41,7 +43,7 @@ impl Figure {
     }
 }
 
-/// Every figure of motion and of forces.
+/// Returns all values of motion and of forces.
 fn all_figures(mechanism: &Mechanism) -> Vec<(Subject, Aspect)> {
     use Aspect::{Alpha, Angle, Ax, Ay, Fx, Fy, Moment, Normal, Omega, Vx, Vy, X, Y};
     let mut figures = Vec::new();
@@ -71,7 +73,7 @@ fn all_figures(mechanism: &Mechanism) -> Vec<(Subject, Aspect)> {
     figures
 }
 
-/// One figure held against the truth, where there is one.
+/// Compares a value with its double-double counterpart; `None` if either does not exist.
 fn figure(
     (subject, aspect): (Subject, Aspect),
     (state, balls, twice): (&Workspace, &Workspace<Ball>, &Workspace<Double>),
@@ -90,7 +92,7 @@ fn figure(
     })
 }
 
-/// Holds a machine at some places of its motion.
+/// Checks a machine at some positions of its motion.
 fn hold(machine: &Machine, held: &mut Held) -> Result<(), String> {
     let mechanism = &machine.mechanism;
     let Ok(solver) = Solver::new(mechanism) else {
@@ -150,14 +152,14 @@ fn hold_figures(figures: &[Figure], kind: usize, held: &mut Held) -> Result<(), 
     Ok(())
 }
 
-/// The median of how far bounds are above errors, and the 99th percentile.
+/// Returns the median of the ratios of bounds to errors, and the 99th percentile.
 fn median(over: &mut [f64]) -> [f64; 2] {
     over.sort_by(f64::total_cmp);
     [over[over.len() / 2], over[over.len() * 99 / 100]]
 }
 
-/// No bound is below its error, and in the median they are near; how near is printed where many machines
-/// are asked for.
+/// No bound is below its error, and the median ratio is small. The ratios are printed if
+/// `KRANK_MACHINES` is set.
 #[test]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn bounds_hold_in_every_topology() {

@@ -1,4 +1,4 @@
-//! Chance that can be repeated.
+//! Repeatable random numbers.
 
 /// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
 pub(crate) struct Chance(pub(crate) u64);
@@ -11,28 +11,28 @@ impl Chance {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number below `count`, which is not 0.
+    /// Returns an integer below `count`, which must not be zero.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         usize::try_from(self.next() % u64::try_from(count).unwrap()).unwrap()
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         low + part * (high - low)
     }
 
-    /// True so often.
+    /// Returns `true` with this probability.
     pub(crate) fn is(&mut self, part: f64) -> bool {
         self.within(0.0, 1.0) < part
     }
 
-    /// 1 or -1.
+    /// Returns 1 or -1.
     pub(crate) fn sign(&mut self) -> f64 {
         if self.is(0.5) { 1.0 } else { -1.0 }
     }
 
-    /// One of several.
+    /// Returns one of several values.
     pub(crate) fn one_of<T: Copy>(&mut self, all: &[T]) -> T {
         all[self.below(all.len())]
     }

@@ -1,19 +1,19 @@
-//! Machines grown at random, group by group: each stands on joints and on plain points, on slides and on
-//! guides of whatever was there before. The pose is drawn first and the lengths are measured in it, so
-//! that every machine can be assembled.
+//! Random machines, generated group by group: each group is attached to joints, plain points,
+//! slides and guides of earlier parts. The pose is drawn first and the lengths are measured in it,
+//! so that every machine can be assembled.
 
 use crate::chance::Chance;
 use krank::{
     Body, Builder, Driver, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Vec2, angle,
 };
 
-/// A mechanism and how it came about, to be told where it fails.
+/// A mechanism and its groups, for failure messages.
 pub(crate) struct Machine {
     pub(crate) mechanism: Mechanism,
     pub(crate) groups: Vec<String>,
 }
 
-/// A link, or the ground, as it lies in the pose.
+/// A link or the ground, in the pose.
 struct Part {
     link: Option<LinkId>,
     origin: Vec2,
@@ -42,16 +42,16 @@ struct Grower<'a> {
     digits: Digits,
     builder: Builder,
     parts: Vec<Part>,
-    /// By point.
+    /// Places by point.
     places: Vec<Vec2>,
     moving: Vec<PointId>,
     groups: Vec<String>,
 }
 
-/// What is left of a number in the scene.
+/// Rounds a number to the digits that it has in the scene.
 pub(crate) type Digits = fn(f64) -> f64;
 
-/// Grows a machine of up to so many groups.
+/// Generates a machine of at most `most` groups.
 pub(crate) fn machine(chance: &mut Chance, most: usize, digits: Digits) -> Option<Machine> {
     let mut grower = Grower::new(chance, digits);
     let cylinder = grower.begin();
@@ -88,7 +88,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    // ---- what everything is made of
+    // ---- basic parts
 
     fn vector(&mut self, size: f64) -> Vec2 {
         Vec2::new(
@@ -113,7 +113,7 @@ impl<'a> Grower<'a> {
         self.places[point.index()]
     }
 
-    /// A link somewhere near a place.
+    /// Adds a link near a place.
     fn part(&mut self, near: Vec2) -> usize {
         let origin = near + self.vector(0.5);
         self.part_at(origin)
@@ -146,7 +146,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// A point of something that is there: a joint, or a plain point made for it.
+    /// Returns a point of an existing part: a joint, or a new plain point.
     fn anchor(&mut self) -> PointId {
         let part = if self.chance.is(0.35) {
             GROUND
@@ -180,7 +180,7 @@ impl<'a> Grower<'a> {
         point
     }
 
-    /// Two points that are some way apart.
+    /// Returns two points at some distance from each other.
     fn anchors(&mut self) -> [PointId; 2] {
         let first = self.anchor();
         loop {
@@ -192,7 +192,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// A link between two points: by its ends, or in a frame of its own.
+    /// Adds a link between two points, defined by its ends or in a frame of its own.
     fn bar(&mut self, from: PointId, to: PointId) {
         let [a, b] = [from, to].map(|p| self.at(p));
         if self.chance.is(0.7) {
@@ -205,7 +205,7 @@ impl<'a> Grower<'a> {
                 points: vec![from, to],
             });
             if self.chance.is(0.04) {
-                // The same once more: it repeats the first.
+                // A redundant copy of the first bar.
                 self.builder.link(from, to, length);
                 self.groups.push("a bar beside a bar".into());
             }
@@ -216,7 +216,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// A guide on a part through a place: its point and direction in the part's frame.
+    /// Returns a guide on a part through a place: its point and direction in the part's frame.
     fn guide(&mut self, part: usize, place: Vec2, angle: f64) -> (Body, Vec2, f64) {
         let through = place + angle::unit(angle) * self.chance.within(-1.0, 1.0);
         let part = &self.parts[part];
@@ -230,7 +230,7 @@ impl<'a> Grower<'a> {
         self.builder.pin_in_slot(pin, on, through, angle)
     }
 
-    /// A link that slides on a part without turning, near a place.
+    /// Adds a link that slides on a part without turning, near a place.
     fn block(&mut self, near: Vec2, part: usize, angle: f64) -> usize {
         let place = near + self.vector(0.4);
         let block = self.part_at(place);
@@ -257,14 +257,14 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// A direction well off another one.
+    /// Returns a direction far from parallel to another one.
     fn across(&mut self, along: f64) -> f64 {
         along + self.chance.sign() * self.chance.within(40.0, 140.0)
     }
 
     // ---- the driver
 
-    /// What is driven, but for a cylinder: that comes last, and is announced.
+    /// Adds the driver. Returns `true` if it will be a cylinder, which is added last.
     fn begin(&mut self) -> bool {
         let (speed, acceleration) = (self.chance.within(0.5, 3.0), self.chance.within(-4.0, 4.0));
         let kind = self.chance.below(8);
@@ -276,7 +276,7 @@ impl<'a> Grower<'a> {
                 let part = self.part(pivot);
                 self.carry(part, pin);
                 let slide = self.slot(pin, GROUND, along);
-                // It turns: a bar to the ground holds it.
+                // The link can turn, so that a bar to the ground holds it.
                 let other = self.anchor_on(part);
                 let out = self.direction();
                 let ground = self.ground_point(pivot + angle::unit(out) * 1.5);
@@ -312,7 +312,8 @@ impl<'a> Grower<'a> {
         false
     }
 
-    /// The driven slide is where the point is in the pose: this needs the guide, so it is asked of a copy.
+    /// Drives a slide from its position in the pose. This needs the built guide, so that a copy is
+    /// built first.
     fn push(&mut self, slide: SlideId, point: PointId, speed: f64, acceleration: f64) {
         let driver = |start| Driver {
             input: Input::Push(slide),
@@ -330,7 +331,7 @@ impl<'a> Grower<'a> {
         self.builder.driver(driver(start));
     }
 
-    /// A driven cylinder between two points of different bodies.
+    /// Adds a driven cylinder between two points of different bodies.
     fn cylinder(&mut self) {
         let [foot, pin] = self.anchors();
         let barrel = self.part(self.at(foot));
@@ -372,7 +373,8 @@ impl<'a> Grower<'a> {
         "RRR".into()
     }
 
-    /// A place to be reached from a point, and the direction of a guide that the bar there can be led by.
+    /// Returns a place near a point, and the direction of a guide that can lead a bar from the
+    /// point there.
     fn beside(&mut self, point: PointId) -> (Vec2, f64) {
         let out = self.direction();
         let place = self.at(point) + angle::unit(out) * self.chance.within(0.6, 1.8);
@@ -390,7 +392,7 @@ impl<'a> Grower<'a> {
         "RRP".into()
     }
 
-    /// RRP, with a link that slides.
+    /// RRP, with a sliding link.
     fn bar_and_block(&mut self) -> String {
         let p = self.anchor();
         let part = self.any_part();
@@ -413,7 +415,7 @@ impl<'a> Grower<'a> {
         "RPR".into()
     }
 
-    /// RPR, with a link that slides on the arm.
+    /// RPR, with a link sliding on the arm.
     fn arm_through_a_block(&mut self) -> String {
         let [pivot, pin] = self.anchors();
         let arm = self.part(self.at(pivot));
@@ -437,7 +439,7 @@ impl<'a> Grower<'a> {
         "PRP".into()
     }
 
-    /// PRP, with two links that slide.
+    /// PRP, with two sliding links.
     fn two_blocks(&mut self) -> String {
         let parts = [self.any_part(), self.any_part()];
         let place = self.parts[parts[0]].origin + self.vector(1.5);
@@ -450,7 +452,7 @@ impl<'a> Grower<'a> {
         "PRP blocks".into()
     }
 
-    /// RPP: a pin in the slot of a link that slides.
+    /// RPP: a pin in the slot of a sliding link.
     fn yoke(&mut self) -> String {
         let pin = self.anchor();
         let part = self.any_part();
@@ -461,7 +463,7 @@ impl<'a> Grower<'a> {
         "RPP".into()
     }
 
-    /// RPP: a pin on a link that slides on a link that slides.
+    /// RPP: a pin on a link that slides on another sliding link.
     fn block_on_block(&mut self) -> String {
         let pin = self.anchor();
         let part = self.any_part();
@@ -473,7 +475,8 @@ impl<'a> Grower<'a> {
         "RPP blocks".into()
     }
 
-    /// Plates pinned to each other in a row: 2 unknowns of the first pin and a direction each.
+    /// Adds plates pinned together in a row: 2 unknowns of the first pin and one direction per
+    /// plate.
     fn plates(&mut self) -> String {
         let count = 1 + self.chance.below(5);
         let mut joint = None;
@@ -505,7 +508,8 @@ impl<'a> Grower<'a> {
         format!("{count} plates")
     }
 
-    /// Takes one freedom from a link: by a bar, a pin in a slot elsewhere, or a pin in its own slot.
+    /// Removes one degree of freedom from a link: by a bar, a pin in another part's slot, or a pin
+    /// in its own slot.
     fn hold(&mut self, plate: usize, place: Vec2) {
         match self.chance.below(5) {
             0 => {
@@ -549,7 +553,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// Ties a point to a link by two bars: two unknowns more.
+    /// Ties a point to a link by two bars, which adds two unknowns.
     fn strut(&mut self, plate: usize, end: PointId) {
         let out = self.direction();
         for turn in [0.0, self.across(0.0)] {
@@ -560,7 +564,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    // ---- what acts
+    // ---- loads
 
     fn load(&mut self) {
         let gravity = self.vector(10.0).map(self.digits);
@@ -613,7 +617,7 @@ impl<'a> Grower<'a> {
         self.torsion_spring(&links);
     }
 
-    /// Now and then: over distances on both sides of what it has here.
+    /// Sometimes adds a gas spring, with distances on both sides of its length in the pose.
     fn gas_spring(&mut self, all: &[PointId]) {
         let [from, to] = [self.chance.one_of(all), self.chance.one_of(all)];
         let distance = (self.at(to) - self.at(from)).norm();
@@ -633,7 +637,7 @@ impl<'a> Grower<'a> {
         }
     }
 
-    /// Now and then: to another link or the ground.
+    /// Sometimes adds a torsion spring, to another link or the ground.
     fn torsion_spring(&mut self, links: &[LinkId]) {
         let [link, other] = [self.chance.one_of(links), self.chance.one_of(links)];
         if self.chance.is(0.4) {

@@ -1,9 +1,9 @@
-//! Forces in machines of every topology, against the power of all that acts and against the equations of
-//! motion of every link.
+//! Tests forces in machines of every topology, against the power of all loads and against the
+//! equations of motion of every link.
 //!
-//! `cargo test --test equilibrium` grows 200 machines; `KRANK_MACHINES=20000 cargo test --release
-//! --test equilibrium` as many as are wanted. A failure prints the seed of its machine, and
-//! `KRANK_MACHINES_SEED` begins with that one.
+//! `cargo test --test equilibrium` generates 200 machines; `KRANK_MACHINES=20000 cargo test
+//! --release --test equilibrium` any number. A failure prints the seed of its machine, and
+//! `KRANK_MACHINES_SEED` starts with that seed.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
@@ -22,29 +22,29 @@ use krank::{Input, Slide, Slider};
 use newton_euler::{Compared, Open};
 use std::collections::BTreeMap;
 
-/// Machines of an ordinary run.
+/// Number of machines in an ordinary run.
 const ORDINARY: u64 = 200;
-/// Groups of a machine, at most.
+/// Maximum number of groups of a machine.
 const MOST_GROUPS: usize = 4;
-/// Two ways may differ by this part of the largest term.
+/// Maximum difference of two results, relative to the largest term.
 const AGREE: f64 = 1e-9;
-/// Of equations worse than this nothing so fine can be asked.
+/// Maximum condition number of equations that are compared so precisely.
 const WORST: f64 = 1e6;
 
-/// What was seen of all machines.
+/// Statistics of all machines.
 #[derive(Debug, Default)]
 struct Seen {
     machines: u64,
     states: u64,
-    /// States that are too near to a singular place to be held against anything.
+    /// States too close to a singular position to be compared.
     vague: u64,
-    /// Machines with open reactions.
+    /// Machines with indeterminate reactions.
     redundant: u64,
-    /// Their reactions of least norm that were held.
+    /// Compared reactions of minimum norm.
     least: u64,
-    /// Groups by their kind.
+    /// Number of groups by kind.
     kinds: BTreeMap<String, u64>,
-    /// The largest miss, as a part of the largest term.
+    /// The largest difference, relative to the largest term.
     worst: f64,
 }
 
@@ -54,7 +54,7 @@ fn number(name: &str) -> Option<u64> {
 
 #[test]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn forces_are_right_in_every_topology() {
+fn forces_satisfy_newton_euler_in_every_topology() {
     let wanted = number("KRANK_MACHINES").unwrap_or(ORDINARY);
     let first = number("KRANK_MACHINES_SEED").unwrap_or(1);
     let mut seen = Seen::default();
@@ -83,10 +83,10 @@ fn forces_are_right_in_every_topology() {
     );
 }
 
-/// Holds a machine at a few places of its motion.
+/// Checks a machine at a few positions of its motion.
 fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
     let mechanism = &machine.mechanism;
-    // What was grown into a singular pose, or with a guide along another one, is no machine.
+    // A machine generated in a singular pose, or with parallel guides, is skipped.
     let Ok(solver) = Solver::new(mechanism) else {
         return Ok(());
     };
@@ -113,7 +113,7 @@ fn hold(machine: &Machine, seen: &mut Seen) -> Result<(), String> {
     Ok(())
 }
 
-/// Whether the state could be held against anything.
+/// Checks one state. Returns `false` if it is too close to a singular position to be compared.
 fn hold_at(
     machine: &Machine,
     solver: &Solver,
@@ -159,8 +159,9 @@ fn hold_at(
     Ok(true)
 }
 
-/// Reactions of least norm against the pseudo-inverse of all equations; how many. Couples of guides weigh
-/// otherwise there: machines with such guides are left out.
+/// Compares the reactions of minimum norm with the pseudo-inverse of all equations, and returns
+/// their number. Machines whose guides hold links are skipped, because couples of guides are
+/// weighted differently there.
 fn hold_least(solver: &Solver, state: &State, compared: &Compared) -> Result<u64, String> {
     let mechanism = solver.mechanism();
     let holds_link = |slide: &Slide| matches!(slide.slider, Slider::Link { .. });
@@ -177,7 +178,7 @@ fn hold_least(solver: &Solver, state: &State, compared: &Compared) -> Result<u64
             Open::Normal(slide) => least.normal(slide),
             Open::Moment(slide) => least.moment(slide),
         };
-        // Of a force that is open one component may be told.
+        // One component of an indeterminate force may be determinate.
         if !found.is_some_and(|found| (found - wanted).abs() <= AGREE * compared.largest) {
             return Err(format!(
                 "{open:?} of least norm: {found:?} and not {wanted}"
@@ -187,10 +188,10 @@ fn hold_least(solver: &Solver, state: &State, compared: &Compared) -> Result<u64
     Ok(compared.open.len() as u64)
 }
 
-/// A later group on a point of a coupled group's link that is none of the group's joints: what it bears used
-/// to reach that link twice, and the torque was 2.12541 N m.
+/// Regression test: a later group on a point of a coupled link that is not one of the group's
+/// joints loaded that link twice, and the torque was 2.12541 N m.
 #[test]
-fn a_dyad_on_a_plain_point_of_a_coupled_link_is_borne_once() {
+fn dyad_on_a_plain_point_of_a_coupled_link_loads_it_once() {
     let text = include_str!("../../presets/stephenson-six-bar.toml")
         .replace("E = [90, 100] }", "E = [90, 100], X = [50, 80] }")
         .replace("[driver]", "H = [-100, 300]\n[driver]")
@@ -208,9 +209,9 @@ T = [0, 412]"#,
     assert!((torque - 1.06270).abs() < 5e-6, "{torque} N m");
 }
 
-/// The cylinder of a lift between two of its arms, on plain points of both: it used to bear twice its load.
+/// Regression test: a lift's cylinder between plain points of two arms bore twice its load.
 #[test]
-fn a_cylinder_between_two_arms_of_a_lift_bears_its_load() {
+fn cylinder_between_two_arms_of_a_lift_bears_its_load_once() {
     held(
         r#"
 unit = "m"
@@ -243,7 +244,7 @@ force = [0, -1000]
     );
 }
 
-/// What the driver must do where a scene opens, held against all that can be.
+/// Returns the driver's effort where a scene opens, after comparing the state with all equations.
 fn held(text: &str) -> f64 {
     let scene = Scene::parse(text, "test").unwrap_or_else(|e| panic!("{e}"));
     let solver = Solver::new(&scene.mechanism).unwrap();

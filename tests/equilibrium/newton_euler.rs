@@ -1,15 +1,15 @@
-//! The equations of motion of every link and the equilibrium of every pin, all solved at once.
+//! Solves the equations of motion of every link and the equilibrium of every pin, all at once.
 //!
-//! Nothing of the solver is used but where points are and how they move. Unknown are the force of the pin
-//! on each link at each of its points, the normal force of each guide, its moment on a link that does not
-//! turn, and what the driver does. Couples are in N times the machine's unit of length, of which it has a
-//! few: so they may stand beside forces.
+//! Only the positions and the motion of points come from the solver. The unknowns are the force of
+//! the pin on each link at each of its points, the normal force of each guide, its moment on a link
+//! that does not turn, and the driver's effort. Couples are in N times the machine's unit of
+//! length, which is similar to its dimensions, so that couples and forces have similar magnitudes.
 
 use krank::solver::State;
 use krank::{Body, Input, LinkId, Load, Mechanism, PointId, Profile, SlideId, Slider, Vec2};
 use nalgebra::{DMatrix, DVector};
 
-/// What acts in one state: forces at points in N, and couples on links.
+/// The loads in one state: forces at points in N, and couples on links.
 pub(crate) struct Acting {
     points: Vec<Vec2>,
     links: Vec<f64>,
@@ -18,7 +18,7 @@ pub(crate) struct Acting {
 }
 
 impl Acting {
-    /// Loads, springs and dampers.
+    /// Evaluates loads, springs and dampers.
     pub(crate) fn of(mechanism: &Mechanism, state: &State) -> Acting {
         let mut acting = Acting {
             points: vec![Vec2::ZERO; mechanism.points().len()],
@@ -92,7 +92,7 @@ impl Acting {
 }
 
 impl Acting {
-    /// What pulls two points together.
+    /// Adds a tension between two points.
     fn pull(&mut self, from: PointId, to: PointId, tension: f64, state: &State) {
         let (.., along) = between(from, to, state);
         self.points[from.index()] += along * tension;
@@ -100,7 +100,7 @@ impl Acting {
     }
 }
 
-/// From one point to another: how far, how fast that grows, and in which direction.
+/// Returns the distance of two points, its rate, and the direction from the first to the second.
 fn between(from: PointId, to: PointId, state: &State) -> (f64, f64, Vec2) {
     let e = state.position(to).unwrap() - state.position(from).unwrap();
     let along = e / e.norm();
@@ -108,7 +108,7 @@ fn between(from: PointId, to: PointId, state: &State) -> (f64, f64, Vec2) {
     (e.norm(), rate, along)
 }
 
-/// The value of a profile: a line from knot to knot, and level beyond them.
+/// Returns the value of a profile: linear between knots, and constant beyond them.
 fn level(profile: &Profile, at: f64) -> f64 {
     let knots = profile.knots();
     let behind = knots.iter().position(|knot| at < knot[0]);
@@ -129,14 +129,15 @@ fn of(body: Body) -> Option<LinkId> {
     }
 }
 
-/// The direction of a link in degrees and how fast it turns; of the ground nothing.
+/// Returns the direction of a link in degrees and its angular velocity; zeros for the ground.
 fn turning(link: Option<LinkId>, state: &State) -> [f64; 2] {
     link.map_or([0.0; 2], |link| {
         [state.angle(link).unwrap(), state.omega(link).unwrap()]
     })
 }
 
-/// What a link's mass asks for: m (a - g) at its centre of mass, and the couple I alpha.
+/// Returns the force and couple that a link's mass needs: m (a - g) at its centre of mass, and I
+/// alpha.
 fn needed(mechanism: &Mechanism, link: LinkId, state: &State) -> Option<(PointId, Vec2, f64)> {
     let given = mechanism.link(link);
     let (com, metres) = (given.com?, mechanism.metres());
@@ -148,7 +149,7 @@ fn needed(mechanism: &Mechanism, link: LinkId, state: &State) -> Option<(PointId
     ))
 }
 
-/// The power of the driver in W by the power of all that acts, and the largest power of anything.
+/// Returns the driver's power in W, from the power of all loads, and the largest single power.
 pub(crate) fn power(mechanism: &Mechanism, state: &State) -> (f64, f64) {
     let acting = Acting::of(mechanism, state);
     let mut powers = Vec::new();
@@ -172,11 +173,11 @@ fn turned(vector: Vec2, direction: Vec2) -> Vec2 {
     direction * vector.x + direction.perp() * vector.y
 }
 
-/// Where the unknowns stand, and their equations.
+/// The indices of the unknowns, and their equations.
 struct System<'a> {
     mechanism: &'a Mechanism,
     state: &'a State,
-    /// The first unknown of every link, two for each of its points, and of every slide.
+    /// The first unknown of every link (two for each of its points), and of every slide.
     joints: Vec<usize>,
     slides: Vec<usize>,
     driver: usize,
@@ -216,15 +217,15 @@ impl<'a> System<'a> {
         system
     }
 
-    /// The first of the two unknowns of a link at a point of it.
+    /// Returns the first of a link's two unknowns at one of its points.
     fn joint(&self, link: LinkId, point: PointId) -> usize {
         let members = &self.mechanism.link(link).members;
         let place = members.iter().position(|m| m.point == point).unwrap();
         self.joints[link.index()] + 2 * place
     }
 
-    /// The first of the equations of a link (forces along x and y, moments about its first point), or of
-    /// a pin.
+    /// Returns the first equation of a link: forces along x and y, and moments about its first
+    /// point.
     fn rows(&self, link: LinkId) -> usize {
         3 * link.index()
     }
@@ -244,7 +245,7 @@ impl<'a> System<'a> {
                 .unwrap()
     }
 
-    /// An unknown acts on a link, by a unit force at a place.
+    /// Adds an unknown that acts on a link, by a unit force at a place.
     fn on_link(&mut self, link: LinkId, unknown: usize, place: Vec2, force: Vec2) {
         let (row, arm) = (self.rows(link), self.arm(link, place));
         self.matrix[(row, unknown)] += force.x;
@@ -276,7 +277,8 @@ impl<'a> System<'a> {
         }
     }
 
-    /// What acts at a pin, and guides that press on it, the links that it joins bear.
+    /// Adds the equilibrium of pins: the joined links bear the loads at a pin and the forces of
+    /// guides on it.
     fn pins(&mut self) {
         let acting = Acting::of(self.mechanism, self.state);
         for point in self.mechanism.point_ids() {
@@ -313,7 +315,7 @@ impl<'a> System<'a> {
         }
     }
 
-    /// A guide presses on what slides, and that on the guide.
+    /// Adds the force of a guide on its slider, and the reaction on the guide.
     fn press(&mut self, slide: SlideId, unknown: usize, force: Vec2) {
         let given = self.mechanism.slide(slide);
         let place = self.state.position(given.slider.point()).unwrap();
@@ -332,7 +334,7 @@ impl<'a> System<'a> {
     }
 }
 
-/// The direction of a guide.
+/// Returns the direction of a guide.
 fn along(mechanism: &Mechanism, slide: SlideId, state: &State) -> Vec2 {
     let given = mechanism.slide(slide);
     match given.on {
@@ -341,28 +343,28 @@ fn along(mechanism: &Mechanism, slide: SlideId, state: &State) -> Vec2 {
     }
 }
 
-/// A figure of the solver beside that of the equations.
+/// A value of the solver with its counterpart from the equations.
 pub(crate) struct Pair {
     pub(crate) name: String,
-    /// `None` where the solver has none.
+    /// `None` if the solver has no value.
     pub(crate) found: Option<f64>,
-    /// `None` where the equations leave it open.
+    /// `None` if the equations do not determine it.
     pub(crate) wanted: Option<f64>,
 }
 
-/// All figures of a state.
+/// All values of a state.
 pub(crate) struct Compared {
     pub(crate) pairs: Vec<Pair>,
-    /// The largest of all forces and couples, and of what acts.
+    /// The largest of all forces and couples, including loads.
     pub(crate) largest: f64,
-    /// By how much errors of the equations may grow.
+    /// The condition number of the equations.
     pub(crate) condition: f64,
-    /// What is left open, by the solution of least norm: forces and, of a guide that holds a link, couples,
-    /// which this norm weighs by the machine's unit of length.
+    /// The indeterminate reactions of the minimum-norm solution: forces and, for guides that hold a
+    /// link, couples, which the norm weights by the machine's unit of length.
     pub(crate) open: Vec<(Open, f64)>,
 }
 
-/// A reaction that is left open.
+/// An indeterminate reaction.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Open {
     JointX(LinkId, PointId),
@@ -371,16 +373,16 @@ pub(crate) enum Open {
     Moment(SlideId),
 }
 
-/// A singular value below this part of the largest is none: a reaction is open.
+/// A singular value below this part of the largest counts as zero: a reaction is indeterminate.
 const NOTHING: f64 = 1e-11;
-/// A reaction with so little part in what is open is told.
+/// A reaction with a smaller component in the null space is determinate.
 const UNMOVED: f64 = 1e-8;
-/// Each takes what is left down by as many digits as the decomposition has.
+/// Number of iterative refinements, each of which gains as many digits as the decomposition has.
 const REFINEMENTS: usize = 2;
-/// Equations that are missed by more than this part of the largest term have no solution.
+/// Equations with a larger residual, relative to the largest term, have no solution.
 const SOLVED: f64 = 1e-12;
 
-/// Holds the solver's forces against the equations; `None` where these have no solution at all.
+/// Compares the solver's forces with the equations; `None` if these have no solution.
 pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared> {
     let system = System::new(mechanism, state);
     let (x, is_told, condition) = solved(&system)?;
@@ -428,7 +430,7 @@ pub(crate) fn compared(mechanism: &Mechanism, state: &State) -> Option<Compared>
     })
 }
 
-/// What is not told, and what the solution makes of it.
+/// Returns the indeterminate reactions and their values in the solution.
 fn open(system: &System<'_>, x: &DVector<f64>, is_told: &[bool]) -> Vec<(Open, f64)> {
     let mechanism = system.mechanism;
     let mut all = Vec::new();
@@ -450,7 +452,7 @@ fn open(system: &System<'_>, x: &DVector<f64>, is_told: &[bool]) -> Vec<(Open, f
     open.map(|(open, unknown)| (open, x[unknown])).collect()
 }
 
-/// The solution, what of it is told, and the condition.
+/// Returns the solution, which of its components are determinate, and the condition number.
 fn solved(system: &System<'_>) -> Option<(DVector<f64>, Vec<bool>, f64)> {
     let unknowns = system.matrix.ncols();
     if system.matrix.is_square()
@@ -463,14 +465,15 @@ fn solved(system: &System<'_>) -> Option<(DVector<f64>, Vec<bool>, f64)> {
             return Some((x, vec![true; unknowns], condition));
         }
     }
-    // Square, so that all of the null space is among the vectors.
+    // The matrix is made square, so that the vectors span the whole null space.
     let rows = system.matrix.nrows().max(unknowns);
     let matrix = system.matrix.clone().resize_vertically(rows, 0.0);
     let right = system.right.clone().resize_vertically(rows, 0.0);
     let svd = matrix.clone().svd(true, true);
     let most = svd.singular_values.max();
     let mut x = svd.solve(&right, NOTHING * most).ok()?;
-    // The decomposition itself is good to 1e-9 now and then: what it leaves is solved for once more.
+    // The decomposition itself is sometimes only accurate to 1e-9, so that the residual is solved
+    // for again.
     for _ in 0..REFINEMENTS {
         x += svd.solve(&(&right - &matrix * &x), NOTHING * most).ok()?;
     }
@@ -491,7 +494,7 @@ fn solved(system: &System<'_>) -> Option<(DVector<f64>, Vec<bool>, f64)> {
     holds.then_some((x, is_told, most / least))
 }
 
-/// What the frame feels, by all that stands on it.
+/// Compares the force and moment on the frame with the sum over all its joints and guides.
 fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
     let System {
         mechanism, state, ..
@@ -521,7 +524,8 @@ fn frame(system: &System<'_>, x: &DVector<f64>) -> [Pair; 3] {
         if mechanism.driver().input == Input::Push(slide) {
             force += t * x[system.driver];
         }
-        // On a pin of the frame as on any other, and back on a guide of it.
+        // The guide acts on a pin of the frame as on any other, and the reaction on a guide of the
+        // frame.
         let pin = match given.slider {
             Slider::Pin(pin) => mechanism.point(pin).ground.is_some(),
             Slider::Link { .. } => false,

@@ -1,5 +1,5 @@
-//! Speed against error: that errors have the order that theory gives them, and that every method is
-//! either usable for a preset or says why not. No test here measures time: the clock is a made-up one.
+//! Tests the accuracy study: errors have the order that theory predicts, and every method is either
+//! usable for a preset or states why not. No test measures time: the clock is simulated.
 
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
@@ -9,7 +9,7 @@ use krank::study::{
 };
 use std::time::Duration;
 
-/// A clock on which everything takes a millisecond.
+/// Creates a clock that advances by one millisecond per call.
 fn made_up() -> impl FnMut() -> Duration {
     let mut now = Duration::ZERO;
     move || {
@@ -32,7 +32,7 @@ fn findings(preset: &str, methods: &[Method], positions: u32) -> Findings {
     study.findings()
 }
 
-/// What was measured of one method.
+/// Returns the measurements of one method.
 fn figures(preset: &str, method: Method) -> MethodFigures {
     let findings = findings(preset, &[method], 3600);
     *findings.methods[0].figures().unwrap()
@@ -57,7 +57,7 @@ fn is_integration(method: Method) -> bool {
 }
 
 #[test]
-fn errors_on_the_lectures_four_bar_have_the_order_that_was_found_elsewhere() {
+fn lecture_four_bar_errors_have_expected_order() {
     let position = |method| errors("four-bar", method).position;
     let closed = errors("four-bar", Method::ClosedForm);
     let all = [closed.position, closed.velocity, closed.acceleration];
@@ -69,11 +69,11 @@ fn errors_on_the_lectures_four_bar_have_the_order_that_was_found_elsewhere() {
 }
 
 #[test]
-fn a_smaller_tolerance_of_newton_gains_digits_until_there_are_no_more() {
+fn newton_error_falls_with_tolerance_down_to_rounding() {
     for start in [Start::Warm, Start::Cold] {
         let position = |tolerance| errors("four-bar", newton(tolerance, start)).position;
         let found = [1e-3, 1e-6, 1e-9, 1e-12, 1e-14].map(position);
-        // The last step was below the tolerance, so that its square is about what is left.
+        // The last step was below the tolerance, so that the remaining error is about its square.
         assert!((1e-9..1e-5).contains(&found[0]), "{found:?}");
         assert!((1e-15..1e-11).contains(&found[1]), "{found:?}");
         assert!(found[2..].iter().all(|&e| e < 2e-15), "{found:?}");
@@ -81,7 +81,7 @@ fn a_smaller_tolerance_of_newton_gains_digits_until_there_are_no_more() {
 }
 
 #[test]
-fn an_integration_gains_a_factor_of_16_where_its_steps_double_and_loses_with_time() {
+fn rk4_error_falls_16_fold_per_halved_step_and_grows_with_turns() {
     let position = |steps, turns| errors("four-bar", rk4(steps, turns)).position;
     let ratio = position(72, 1) / position(144, 1);
     assert!((13.0..19.0).contains(&ratio), "{ratio}");
@@ -89,7 +89,7 @@ fn an_integration_gains_a_factor_of_16_where_its_steps_double_and_loses_with_tim
 }
 
 #[test]
-fn methods_that_a_mechanism_does_not_allow_say_why() {
+fn inapplicable_methods_state_their_reason() {
     let unfit = |preset: &str, method| match findings(preset, &[method], 360).methods[0].verdict {
         MethodVerdict::Unfit(unfit) => Some(unfit),
         MethodVerdict::Measured(_) | MethodVerdict::Pending => None,
@@ -111,9 +111,10 @@ fn methods_that_a_mechanism_does_not_allow_say_why() {
     assert_eq!(unfit("double-rocker", Method::Bisection), None);
 }
 
-/// The rows of every group of every preset can be listed, and lead to where the closed form leads.
+/// Newton's method can list the rows of every group of every preset, and its solution agrees with
+/// the closed form.
 #[test]
-fn every_preset_is_solved_by_rows_too() {
+fn applicable_methods_solve_every_preset_without_failures() {
     let own = [Method::ClosedForm, Method::Anchored, Method::Bounded];
     let by_rows = [newton(1e-9, Start::Warm), Method::Polished];
     for preset in presets::all() {
@@ -139,18 +140,19 @@ fn every_preset_is_solved_by_rows_too() {
     }
 }
 
-/// Newton's method does not know which assembly is meant; that it lands on another one is a failure,
-/// however near that is. Close to a limit both are close together.
+/// Newton's method cannot distinguish assemblies: convergence to another one is a failure, however
+/// near it is. Close to a limit both are close together.
 #[test]
-fn another_assembly_is_a_failure_and_no_error() {
+fn convergence_to_another_assembly_counts_as_failure() {
     let cold = figures("double-rocker", newton(1e-9, Start::Cold));
     assert!(cold.failures > 0, "{cold:?}");
     assert!(cold.errors.unwrap().position < 1e-9, "{cold:?}");
 }
 
-/// Past a change point a dyad lies on its other side: bisection is told, and Newton goes with it.
+/// After a change point, a dyad lies on its other side: bisection is given the side, and Newton's
+/// method follows.
 #[test]
-fn change_points_are_passed() {
+fn change_points_are_passed_without_failures() {
     for method in [Method::Bisection, newton(1e-6, Start::Warm)] {
         let figures = figures("kite", method);
         assert_eq!(figures.failures, 0, "{method:?}");
@@ -159,12 +161,12 @@ fn change_points_are_passed() {
 }
 
 #[test]
-fn a_study_can_be_read_before_its_end() {
+fn findings_are_readable_before_study_ends() {
     let mut study = study("four-bar", &all_methods(USUAL_CYCLES), 360);
     assert_eq!(study.progress(), 0.0);
     let mut clock = made_up();
     let (mut last, mut slices) = (0.0, 0);
-    // Until the integrations begin.
+    // Stops when the integrations begin.
     while study.current().is_none() {
         assert!(study.advance(&mut clock, Duration::from_millis(50)));
         assert!(study.progress() >= last && study.progress() < 1.0);
@@ -175,7 +177,7 @@ fn a_study_can_be_read_before_its_end() {
     assert!(!findings.finished);
     for finding in &findings.methods {
         let is_pending = finding.verdict == MethodVerdict::Pending;
-        // The short integrations may be done within the last slice.
+        // Short integrations may be complete within the last slice.
         assert!(!is_pending || is_integration(finding.method), "{finding:?}");
     }
     let last = findings.methods.last().unwrap();
@@ -183,7 +185,7 @@ fn a_study_can_be_read_before_its_end() {
 }
 
 #[test]
-fn letters_follow_each_other_and_the_best_never_fail() {
+fn keys_are_consecutive_and_best_methods_never_fail() {
     let list: Vec<Method> = all_methods(USUAL_CYCLES);
     let list: Vec<Method> = list.into_iter().filter(|m| !is_integration(*m)).collect();
     let findings = findings("kite", &list, 360);

@@ -1,8 +1,9 @@
-//! Who may import whom, what types are called, and where sentences stand, read from the sources themselves.
+//! Checks the architecture from the sources: imports between modules, names of types, and the place
+//! of user-visible sentences.
 //!
-//! The way of the data is scene -> mechanism -> solver -> quantity -> study -> drawing -> report -> tui. `solver` knows
-//! no file, no unit name and no terminal; nobody imports `tui` but the command line, and nobody
-//! imports the command line but `main`.
+//! The layers are scene -> mechanism -> solver -> quantity -> study -> drawing -> report -> tui.
+//! `solver` knows no file, no unit name and no terminal; only the command line imports `tui`, and
+//! only `main` imports the command line.
 
 mod names;
 mod wording;
@@ -11,8 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Every module of the crate and its place on the way of the data: a module may import those of a
-/// lower place. Modules of the same place do not know each other.
+/// Every module of the crate and its layer: a module may import those of lower layers. Modules of
+/// the same layer do not import each other.
 const PLACES: [(&str, u8); 28] = [
     ("wording", 0),
     ("guide", 0),
@@ -44,8 +45,8 @@ const PLACES: [(&str, u8); 28] = [
     ("main", 12),
 ];
 
-/// The rooms of the workbench in the same way. Those of the last place but one know each other: an action
-/// changes what views read, and asks a view what it needs.
+/// The modules of the workbench and their layers. Those of the layer [`LEADING`] may import each
+/// other: an action changes what views read, and asks a view what it needs.
 const ROOMS: [(&str, u8); 11] = [
     ("appearance", 0),
     ("commands", 0),
@@ -61,9 +62,9 @@ const ROOMS: [(&str, u8); 11] = [
 ];
 const LEADING: u8 = 4;
 
-/// Crates, and parts of the standard library, that belong to some modules alone.
+/// Crates, and parts of the standard library, that only some modules may use.
 const FOREIGN: [(&str, &[&str]); 27] = [
-    // Everything but a text for the manual is named through krank's own root.
+    // All other modules name the kernel through krank's own root.
     ("kinematics", &["manual"]),
     ("model", &["scene"]),
     ("synthesis", &["synthesis"]),
@@ -100,14 +101,14 @@ fn place(module: &str) -> Option<u8> {
     PLACES.iter().find(|(m, _)| *m == module).map(|(_, p)| *p)
 }
 
-/// A source file: the module path that it stands for, and its text without tests.
+/// A source file: its module path, and its tokens without tests.
 struct Source {
     path: Vec<String>,
     tokens: Vec<String>,
 }
 
-/// Identifiers, `::`, single marks, and texts behind their first `"`; comments and characters left out, lifetimes
-/// too.
+/// Splits source text into identifiers, `::`, single punctuation characters, and string literals
+/// with their opening quote. Omits comments, character literals and lifetime quotes.
 fn tokens(text: &str) -> Vec<String> {
     let chars: Vec<char> = text.chars().collect();
     let mut found = Vec::new();
@@ -168,7 +169,7 @@ fn after_text(chars: &[char], from: usize) -> usize {
     i + 1
 }
 
-/// Behind `r"..."` or `r#"..."#`; `None` for an `r` that opens no text.
+/// Returns the index after `r"..."` or `r#"..."#`; `None` for an `r` that opens no raw string.
 fn raw_text(chars: &[char], from: usize) -> Option<usize> {
     let open = until(chars, from + 1, |c| c != '#');
     if chars.get(open) != Some(&'"') {
@@ -181,7 +182,7 @@ fn raw_text(chars: &[char], from: usize) -> Option<usize> {
     Some(end + close.len())
 }
 
-/// Behind a character, or behind the quote of a lifetime.
+/// Returns the index after a character literal, or after the quote of a lifetime.
 fn after_quote(chars: &[char], from: usize) -> usize {
     if chars.get(from + 1) == Some(&'\\') {
         until(chars, from + 3, |c| c == '\'') + 1
@@ -192,7 +193,7 @@ fn after_quote(chars: &[char], from: usize) -> usize {
     }
 }
 
-/// The tokens without modules under `#[cfg(test)]`: tests may look at everything.
+/// Removes modules under `#[cfg(test)]`: tests may import everything.
 fn without_tests(tokens: &[String]) -> Vec<String> {
     let mark = ["#", "[", "cfg", "(", "test", ")", "]", "mod"];
     let mut kept = Vec::new();
@@ -208,7 +209,7 @@ fn without_tests(tokens: &[String]) -> Vec<String> {
     kept
 }
 
-/// Behind `name { ... }` or `name;`.
+/// Returns the index after `name { ... }` or `name;`.
 fn behind_block(tokens: &[String], from: usize) -> usize {
     let mut depth = 0;
     for (i, token) in tokens.iter().enumerate().skip(from) {
@@ -225,7 +226,7 @@ fn behind_block(tokens: &[String], from: usize) -> usize {
     tokens.len()
 }
 
-/// What stands behind a path's `::` at `i`: one name, or the first names of a group in braces.
+/// Returns what follows a path's `::` at `i`: one name, or the first names of a group in braces.
 fn heads(tokens: &[String], i: usize) -> Vec<String> {
     if tokens.get(i).map(String::as_str) != Some("{") {
         return tokens.get(i).cloned().into_iter().collect();
@@ -258,12 +259,13 @@ impl Source {
         &self.path[0]
     }
 
-    /// The names at the crate's root that the file refers to, by `crate::`, `krank::` or `super::`.
+    /// Returns the names in the crate's root that the file refers to, by `crate::`, `krank::` or
+    /// `super::`.
     fn root_names(&self) -> BTreeSet<String> {
         self.names_in(&[])
     }
 
-    /// The names in a module that the file refers to.
+    /// Returns the names in a module that the file refers to.
     fn names_in(&self, module: &[&str]) -> BTreeSet<String> {
         let mut names = BTreeSet::new();
         let at = |i: usize| self.tokens.get(i).map_or("", String::as_str);
@@ -299,7 +301,7 @@ impl Source {
         names
     }
 
-    /// What a file of the workbench imports of rooms that stand no lower.
+    /// Returns the disallowed imports of a workbench file: those from layers that are not lower.
     fn faults_of_rooms(&self) -> Vec<String> {
         let place = |room: &str| ROOMS.iter().find(|(r, _)| *r == room).map(|(_, p)| *p);
         let Some(room) = self.path.get(1).filter(|_| self.path[0] == "tui") else {
@@ -316,7 +318,7 @@ impl Source {
             .collect()
     }
 
-    /// Whether the file names a foreign crate, or a part of the standard library.
+    /// Returns `true` if the file names an external crate, or a part of the standard library.
     fn names_foreign(&self, foreign: &str) -> bool {
         let (first, second) = foreign.split_once("::").unwrap_or((foreign, ""));
         let at = |i: usize| self.tokens.get(i).map_or("", String::as_str);
@@ -326,7 +328,7 @@ impl Source {
         })
     }
 
-    /// Everything that the file may not do.
+    /// Returns all disallowed imports of the file.
     fn faults(&self, exports: &BTreeMap<String, String>) -> Vec<String> {
         let module = self.module();
         let own = place(module).unwrap_or_else(|| panic!("`{module}` has no place in PLACES"));
@@ -354,7 +356,7 @@ impl Source {
     }
 }
 
-/// What `lib.rs` hands on at the root: `pub use module::{A, B}`.
+/// Returns the re-exports of `lib.rs`, `pub use module::{A, B}`, as modules by name.
 fn exports(lib: &str) -> BTreeMap<String, String> {
     let tokens = tokens(lib);
     let mut exports = BTreeMap::new();
@@ -380,7 +382,7 @@ fn source_folders() -> [PathBuf; 4] {
     .map(|folder| root.join(folder))
 }
 
-/// Every source file, with its path below its source folder.
+/// Returns every source file, with its path relative to its source folder.
 fn sources() -> Vec<(PathBuf, PathBuf)> {
     let mut all = Vec::new();
     for folder in source_folders() {
@@ -392,20 +394,21 @@ fn sources() -> Vec<(PathBuf, PathBuf)> {
     all
 }
 
-/// The names that krank's root re-exports, by the module that defines them.
+/// Returns the names that krank's root re-exports, with the modules that define them.
 fn root_exports() -> BTreeMap<String, String> {
     let [own, kernel, ..] = source_folders().map(|folder| {
         let lib = fs::read_to_string(folder.join("lib.rs")).unwrap();
         exports(&lib)
     });
-    // A module that is re-exported whole keeps its own name.
+    // A module that is re-exported as a whole keeps its own name.
     let named = own
         .into_iter()
         .filter(|(_, from)| from != "kinematics" && from != "model");
     named.chain(kernel).collect()
 }
 
-/// `solver/plan.rs` is `solver::plan`, `solver/mod.rs` and `solver.rs` are `solver`.
+/// Returns the module path of a file: `solver/plan.rs` is `solver::plan`; `solver/mod.rs` and
+/// `solver.rs` are `solver`.
 fn module_path(inner: &Path) -> Vec<String> {
     let inner = inner.with_extension("");
     let parts = inner.iter().map(|part| part.to_str().unwrap().to_owned());
@@ -428,12 +431,12 @@ fn is_test(path: &[String]) -> bool {
 }
 
 #[test]
-fn nobody_imports_against_the_way_of_the_data() {
+fn modules_import_only_from_lower_layers() {
     let exports = root_exports();
     assert_eq!(exports["LinkId"], "mechanism", "lib.rs was not understood");
     let mut faults = Vec::new();
     let mut seen = BTreeSet::new();
-    // The synthesis sees only the kernel: its borders are checked by the compiler.
+    // The synthesis depends only on the kernel, so that the compiler checks its imports.
     let synthesis = &source_folders()[3];
     for (file, inner) in sources() {
         let path = module_path(&inner);
@@ -449,7 +452,7 @@ fn nobody_imports_against_the_way_of_the_data() {
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
 }
 
-/// The checker on samples: it must find what it is there to find, and nothing else.
+/// Tests the checker on samples of wrong and allowed imports.
 mod checker {
     use super::*;
 
@@ -465,7 +468,7 @@ mod checker {
     }
 
     #[test]
-    fn finds_rooms_that_are_imported_from_below() {
+    fn finds_imports_of_higher_tui_modules() {
         let faults = |path: &[&str], text: &str| {
             let path = path.iter().map(|&part| part.to_owned()).collect();
             Source::new(path, text).faults_of_rooms()
@@ -491,7 +494,7 @@ mod checker {
     }
 
     #[test]
-    fn finds_imports_by_every_road() {
+    fn finds_imports_by_every_kind_of_path() {
         let bad = [
             "use crate::scene::Scene;",
             "use crate::{LinkId, scene::{Scene, Unit}};",
@@ -508,7 +511,7 @@ mod checker {
     }
 
     #[test]
-    fn finds_foreign_crates_and_input_and_output() {
+    fn finds_disallowed_crates_and_io() {
         let bad = [
             "use ratatui::buffer::Buffer;",
             "use std::{collections::BTreeMap, fs};",
@@ -524,7 +527,7 @@ mod checker {
     }
 
     #[test]
-    fn leaves_the_rest_alone() {
+    fn accepts_allowed_imports() {
         let good = [
             "use crate::{LinkId, Vec2, mechanism::Link};",
             "use super::plan::Plan; use crate::solver::State;",
@@ -545,7 +548,7 @@ mod checker {
     }
 
     #[test]
-    fn a_test_module_ends_where_it_ends() {
+    fn code_after_a_test_module_is_checked() {
         let text = "#[cfg(test)] mod tests { fn f() { } } use crate::tui::App;";
         assert_eq!(faults(&["solver"], text).len(), 1);
         let text = "#[cfg(test)] mod tests; use crate::tui::App;";

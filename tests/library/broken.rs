@@ -1,5 +1,6 @@
-//! Every file of `tests/broken`, and every task of `tests/broken_tasks`, is refused, with the phrases and at the places that its head names:
-//! `# expect: a phrase of the message` and `# at: LINE:COLUMN`, each as often as wanted.
+//! Checks that every file in `tests/broken` and `tests/broken_tasks` is rejected with the phrases
+//! and positions named in its header: `# expect: a phrase of the message` and `# at: LINE:COLUMN`,
+//! each any number of times.
 
 use krank::quantity::check_figures;
 use krank::scene::{Diagnostics, Scene};
@@ -21,7 +22,7 @@ fn files_of(folder: &str) -> Vec<PathBuf> {
     files
 }
 
-/// What is wrong with a file; reading comes before solving, as for every command.
+/// Returns the errors of a scene file; as in every command, reading comes before solving.
 fn faults(bytes: &[u8], origin: &str) -> Option<Diagnostics> {
     match Scene::read(bytes, origin) {
         Err(faults) => Some(faults),
@@ -40,12 +41,12 @@ fn after<'t>(head: &'t str, text: &'t str) -> Vec<&'t str> {
         .collect()
 }
 
-/// The same of a task.
+/// Returns the errors of a task file.
 fn task_faults(bytes: &[u8], origin: &str) -> Option<Diagnostics> {
     TaskFile::read(bytes, origin).err()
 }
 
-/// The complaints about one file, empty if it is refused as its head says.
+/// Returns the deviations from a file's header, empty if the file is rejected as its header says.
 fn check(path: &Path, faults: impl Fn(&[u8], &str) -> Option<Diagnostics>) -> Vec<String> {
     let bytes = std::fs::read(path).unwrap();
     let text = String::from_utf8_lossy(&bytes);
@@ -95,7 +96,7 @@ fn check(path: &Path, faults: impl Fn(&[u8], &str) -> Option<Diagnostics>) -> Ve
 }
 
 #[test]
-fn every_broken_scene_is_refused_with_its_phrase_and_place() {
+fn broken_scenes_are_rejected_with_expected_message_and_place() {
     let mut report = String::new();
     let files = broken();
     assert!(files.len() >= 40, "only {} broken scenes", files.len());
@@ -108,7 +109,7 @@ fn every_broken_scene_is_refused_with_its_phrase_and_place() {
 }
 
 #[test]
-fn every_broken_task_is_refused_with_its_phrase_and_place() {
+fn broken_tasks_are_rejected_with_expected_message_and_place() {
     let mut report = String::new();
     let files = files_of("tests/broken_tasks");
     assert!(files.len() >= 40, "only {} broken tasks", files.len());
@@ -120,9 +121,9 @@ fn every_broken_task_is_refused_with_its_phrase_and_place() {
     assert!(report.is_empty(), "{report}");
 }
 
-/// Long lists are refused in a word, or read.
+/// Long lists are read, or rejected with few messages.
 #[test]
-fn lists_of_a_task_may_be_long() {
+fn long_task_lists_are_read_or_rejected_briefly() {
     let rows = |count: usize| -> String {
         let rows: Vec<String> = (0..count).map(|k| format!("[{k}, {}]", k % 7)).collect();
         rows.join(", ")
@@ -142,9 +143,9 @@ fn lists_of_a_task_may_be_long() {
     assert!(faults.unwrap_err().items.len() < 100);
 }
 
-/// A task with a few bytes changed is read, or refused with a reason; nothing panics, and what is read is run.
+/// A task with a few changed bytes is read or rejected with a reason, without a panic.
 #[test]
-fn changed_tasks_are_read_or_refused() {
+fn mutated_tasks_are_read_or_rejected_with_a_reason() {
     let parts = [
         "1e300", "-", "nan", "[", "]", "\"x\"", "0", "1e-300", ",", "=", "\u{0}", "true", "{",
         "inf",
@@ -178,9 +179,9 @@ fn changed_tasks_are_read_or_refused() {
     assert!(read > 50, "{read}");
 }
 
-/// Numbers at the ends of what is taken do not stop a method.
+/// Numbers at the limits of the accepted range do not break a method.
 #[test]
-fn numbers_of_any_size_are_run() {
+fn extreme_numbers_in_tasks_give_finite_results() {
     for size in ["1e300", "1e-300", "0"] {
         for text in [
             format!("kind = \"poses\"\nposes = [[0, 0, 0], [{size}, 1, 10], [2, {size}, 20]]\n"),
@@ -216,9 +217,9 @@ fn numbers_of_any_size_are_run() {
     }
 }
 
-/// What is shown in Unicode and in colour must be as harmless as the plain form.
+/// Unicode output must be as harmless as ASCII output.
 #[test]
-fn no_control_character_of_a_file_reaches_the_terminal() {
+fn error_messages_contain_no_control_characters() {
     for path in broken() {
         let bytes = std::fs::read(&path).unwrap();
         let Some(faults) = faults(&bytes, "evil\u{1b}[2J\u{202e}.toml") else {

@@ -1,14 +1,15 @@
-//! Names, titles, notes and file names that hold control, bidirectional and invisible characters: none of them
-//! reaches a terminal, wherever a scene, a folder, a configuration or an error is shown.
+//! Checks that control, bidirectional and invisible characters in names, titles, notes and file
+//! names never reach a terminal, wherever a scene, a folder, a configuration or an error is shown.
 
 use krank::scene::is_harmful;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
-/// Clears the screen, sets the title, turns the direction of writing, and is not seen.
+/// Clears the screen, sets the title, reverses the writing direction, and contains invisible
+/// characters.
 const EVIL: &str = "a\u{1b}[2J\u{1b}]0;b\u{7}\u{9b}31mc\u{202e}d\u{200b}e\u{2066}f\u{feff}";
 
-/// The same as TOML writes it: raw where TOML lets it be, escaped elsewhere.
+/// [`EVIL`] in TOML: raw where TOML allows it, escaped elsewhere.
 const EVIL_TEXT: &str =
     "a\\u001b[2J\\u001b]0;b\\u0007\\u009b31mc\u{202e}d\u{200b}e\\u2066f\u{feff}\\u007f";
 
@@ -30,13 +31,13 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// What no terminal is sent; line feeds end lines.
+/// Asserts that a text has no harmful characters except line feeds and, if `ascii`, only ASCII.
 fn assert_harmless(text: &str, ascii: bool, what: &str) {
     let bad = |c: char| c != '\n' && (is_harmful(c) || ascii && !c.is_ascii());
     assert!(!text.contains(bad), "{what}: {text:?}");
 }
 
-/// Runs it where only ASCII may be seen, and where everything may.
+/// Runs the program in an ASCII locale and in a UTF-8 locale.
 fn heard(here: &Path, args: &[&str]) -> [(bool, Output); 2] {
     ["C", "C.UTF-8"].map(|locale| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
@@ -52,14 +53,14 @@ fn assert_heard_harmless(here: &Path, args: &[&str], code: i32) {
         assert_eq!(output.status.code(), Some(code), "{args:?}: {told}");
         assert_harmless(&told, ascii, &format!("{args:?}"));
         let out = String::from_utf8(output.stdout).unwrap();
-        // An SVG and JSON are UTF-8 by themselves.
+        // SVG and JSON are always UTF-8.
         let ascii = ascii && !args.contains(&"svg") && !args.contains(&"json");
         assert_harmless(&out, ascii, &format!("{args:?}"));
     }
 }
 
 #[test]
-fn what_commands_print_of_a_scene_is_harmless() {
+fn commands_print_no_control_characters_of_a_scene() {
     let here = folder("harmless-scene");
     let file = format!("{EVIL}.toml").replace('/', "");
     std::fs::write(here.join(&file), hostile()).unwrap();
@@ -82,7 +83,7 @@ fn what_commands_print_of_a_scene_is_harmless() {
     ] {
         assert_heard_harmless(&here, args, 0);
     }
-    // What `start` prints is the file itself, and not for a terminal's eyes; it is kept to the byte.
+    // `start` prints the file itself, byte for byte, since it is not meant for a terminal.
     let [_, (_, output)] = heard(&here, &["start", file]);
     assert!(
         String::from_utf8(output.stdout)
@@ -92,7 +93,7 @@ fn what_commands_print_of_a_scene_is_harmless() {
 }
 
 #[test]
-fn what_is_said_about_what_is_wrong_is_harmless() {
+fn error_messages_contain_no_control_characters() {
     let here = folder("harmless-faults");
     let file = format!("{EVIL}.toml").replace('/', "");
     let broken = hostile()
@@ -138,7 +139,7 @@ mod workbench {
     use krank::tui::{Colours, Opened, Origin, Workbench};
 
     #[test]
-    fn what_is_printed_of_the_workbench_and_its_configuration_is_harmless() {
+    fn printed_views_and_configuration_errors_are_harmless() {
         let here = folder("harmless-print");
         let file = format!("{EVIL}.toml").replace('/', "");
         std::fs::write(here.join(&file), hostile()).unwrap();
@@ -160,9 +161,9 @@ mod workbench {
         assert_heard_harmless(&here, &["--config", "no\u{1b}\u{202e}file"], 2);
     }
 
-    /// Every view, overlay, prompt and message, in every set of glyphs.
+    /// Covers every view, overlay, prompt and message, in every set of glyphs.
     #[test]
-    fn every_frame_is_harmless() {
+    fn frames_contain_no_control_characters_of_a_scene() {
         let here = folder("harmless-frames");
         let file = here.join(format!("{EVIL}.toml").replace('/', ""));
         std::fs::write(&file, hostile()).unwrap();
@@ -198,7 +199,7 @@ mod workbench {
         }
     }
 
-    /// A frame without the sequences that a painter writes: the cursor, styles, erasing, modes.
+    /// Removes the sequences that the painter writes: cursor, styles, erasing, modes.
     fn without_sequences(frame: &str) -> String {
         let mut pieces = frame.split("\u{1b}[");
         let mut shown = pieces.next().unwrap_or_default().to_owned();
@@ -209,7 +210,7 @@ mod workbench {
                 "H" | "m" | "K" | "J" | "h" | "l" | "A" | "B" | "C" | "D" | "G" | "d" | "X"
             );
             assert!(ours, "an unknown sequence: {piece:?}");
-            // What the scene would do, the painter does not.
+            // The scene's own sequence must not appear.
             assert_ne!(&piece[..=end], "31m");
             shown.push_str(&piece[end + 1..]);
         }

@@ -1,18 +1,19 @@
-//! No result depends on the order of the lines of a scene: every command, for every preset, in the library.
+//! Checks that no result depends on the order of the lines of a scene: every command, for every
+//! preset, through the library.
 
 use krank::scene::presets;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-/// The sections whose lines are told by their names.
+/// Sections whose lines are identified by their names.
 const SECTIONS: [&str; 5] = ["ground", "links", "slides", "start", "vectors"];
-/// Numbers differ by no more than this part of themselves: rounding, and where the motion ends at a dead point the root
-/// of rounding, with which places are known there.
+/// Maximum relative difference of numbers: rounding, and at a dead point its square root, the
+/// accuracy of positions there.
 const ROUNDING: f64 = 1e-9;
 const ROUNDING_AT_END: f64 = 1e-6;
 
-/// The commands whose results are compared, as JSON: with the options that make them quick.
+/// The commands compared, as JSON, with options that make them quick.
 const COMMANDS: [&[&str]; 7] = [
     &["check"],
     &["table", "--bounds"],
@@ -23,7 +24,7 @@ const COMMANDS: [&[&str]; 7] = [
     &["motor"],
 ];
 
-/// The same scene with the lines of each section in the opposite order.
+/// Reverses the lines of each section of a scene.
 fn reversed(text: &str) -> String {
     let mut out = Vec::new();
     let mut section: Option<Vec<&str>> = None;
@@ -35,7 +36,7 @@ fn reversed(text: &str) -> String {
             out.push(line);
         } else {
             match &mut section {
-                // What a comment tells of may follow it elsewhere.
+                // Comments are dropped, since the line they describe moves.
                 Some(lines) if line.contains('=') && !line.starts_with('#') => lines.push(line),
                 Some(_) => {}
                 None => out.push(line),
@@ -46,7 +47,7 @@ fn reversed(text: &str) -> String {
     out.join("\n")
 }
 
-/// The place at which a scene opens, as its driver says it.
+/// Returns the coordinate at which a scene opens, as its driver gives it.
 fn opening(text: &str) -> Option<&str> {
     let driver = &text[text.find("[driver]")?..];
     let line = driver
@@ -62,10 +63,11 @@ fn opening(text: &str) -> Option<&str> {
     )
 }
 
-/// Scenes whose tolerances over the whole motion are quick: every machine is followed anew.
+/// Scenes whose tolerances over the whole motion are quick to compute: every machine is tracked
+/// again.
 const FOLLOWED: [&str; 4] = ["four-bar", "slotted-lever", "excavator-boom", "press-ram"];
 
-/// The result of a command as JSON; `None` where it fails.
+/// Returns the result of a command as JSON; `None` if it fails.
 fn result(scene: &Path, command: &[&str], at: Option<&str>) -> Option<Value> {
     let out = scene.with_extension("json");
     let _ = std::fs::remove_file(&out);
@@ -80,12 +82,12 @@ fn result(scene: &Path, command: &[&str], at: Option<&str>) -> Option<Value> {
     serde_json::from_slice(&std::fs::read(&out).ok()?).ok()
 }
 
-/// A value by which items of lists are put in order: without what is rounding.
+/// Returns a sort key for items of lists, insensitive to rounding.
 fn key(value: &Value) -> String {
     match value {
         Value::Number(number) => {
             let number = number.as_f64().unwrap();
-            // Noise beside zero has no digits.
+            // Noise around zero has no significant digits.
             if number.abs() < 1e-7 {
                 "0".into()
             } else {
@@ -110,7 +112,8 @@ fn key(value: &Value) -> String {
     }
 }
 
-/// The words and the numbers of a text, each sorted: lists of names keep the order of the file.
+/// Returns the words and the numbers of a text, each sorted: lists of names keep the order of the
+/// file.
 fn sorted_words(text: &str) -> (Vec<String>, Vec<f64>) {
     let is_part = |c: char| c.is_alphanumeric() || "._'+-".contains(c);
     let all = text.split(|c| !is_part(c)).filter(|word| !word.is_empty());
@@ -126,7 +129,8 @@ fn sorted_words(text: &str) -> (Vec<String>, Vec<f64>) {
     (words, numbers)
 }
 
-/// Adds where two values differ. Bounds differ: they are bounds of other roundings.
+/// Records the differences of two values. Bounds are skipped, because other roundings give other
+/// bounds.
 fn compare(a: &Value, b: &Value, rounding: f64, place: &str, differences: &mut Vec<String>) {
     let mut differ = || differences.push(format!("{place}: {a} and {b}"));
     match (a, b) {
@@ -136,7 +140,7 @@ fn compare(a: &Value, b: &Value, rounding: f64, place: &str, differences: &mut V
                 return;
             }
             for (name, item) in of {
-                // A place in a list, which has the order of the file.
+                // An index into a list that has the order of the file.
                 let listed = |of: &Value, item: &Value| of.get(item.as_u64()? as usize).cloned();
                 if let (Some(list), "current") = (of.get("list"), name.as_str()) {
                     let [a, b] = [listed(list, item), listed(&with["list"], &with[name])];
@@ -163,7 +167,7 @@ fn compare(a: &Value, b: &Value, rounding: f64, place: &str, differences: &mut V
         (Value::Array(of), Value::Array(with)) if of.len() == with.len() => {
             let sorted = |items: &[Value]| {
                 let mut items = items.to_vec();
-                // Pairs of numbers have their order.
+                // Pairs of numbers keep their order.
                 if !items.iter().all(Value::is_number) {
                     items.sort_by_cached_key(key);
                 }
@@ -192,21 +196,21 @@ fn compare(a: &Value, b: &Value, rounding: f64, place: &str, differences: &mut V
     }
 }
 
-/// A folder for scenes that are read by commands.
+/// Creates a folder for scenes read by commands.
 fn folder() -> PathBuf {
     let folder = std::env::temp_dir().join(format!("krank-line-order-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
 
-/// Compares all commands over some scenes with their lines in the opposite order.
+/// Compares the results of all commands for some scenes and their reversed copies.
 fn compare_all(scenes: impl Iterator<Item = (String, String)>, what: &str) {
     let folder = folder();
     let mut differences = Vec::new();
     let mut compared = 0;
     for (name, text) in scenes {
         let files = [("a", text.clone()), ("b", reversed(&text))].map(|(order, text)| {
-            // The name of the file is part of what is told.
+            // The name of the file is part of the output.
             let folder = folder.join(format!("{what}-{order}"));
             std::fs::create_dir_all(&folder).unwrap();
             let file = folder.join(format!("{name}.toml"));
@@ -237,20 +241,19 @@ fn compare_all(scenes: impl Iterator<Item = (String, String)>, what: &str) {
     );
 }
 
-/// All commands tell the same of a preset whose lines stand in another order.
 #[test]
-fn results_do_not_depend_on_the_order_of_lines() {
+fn results_do_not_depend_on_line_order() {
     let scenes = presets::all().iter().map(|preset| {
-        // What is off belongs to the scene, so that tolerances are told of all.
+        // Tolerances in the scene give every command something to report.
         let text = format!("tolerance = 0.0002\nclearance = 0.0001\n{}", preset.text);
         (preset.name.to_owned(), text)
     });
     compare_all(scenes, "presets");
 }
 
-/// The pin of a sliding link has play in the rod: s.length is off by it and by nothing else.
+/// The clearance of the sliding link's pin acts in the rod: it changes s.length and nothing else.
 #[test]
-fn play_in_a_pin_of_a_sliding_link_is_that_of_the_other_link() {
+fn clearance_of_a_sliding_links_pin_belongs_to_the_rod() {
     let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"crank\"\nangle = 0\n[links]\n\
         crank = { from = \"A\", to = \"B\", length = 100 }\nrod = { from = \"B\", to = \"C\", length = 300 }\n\
         ram = { points = { C = [0, 0], T = [50, 0] } }\n[slides]\n\

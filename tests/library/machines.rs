@@ -1,13 +1,13 @@
-//! The machines among the presets, each against formulas written out here that share no code with the solver.
+//! Tests the machines among the presets against formulas that share no code with the solver.
 
 use krank::quantity::Catalogue;
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
 
-/// Places that are looked at.
+/// Number of coordinates checked.
 const PLACES: u32 = 73;
 
-/// A place or a vector: x + i y.
+/// A point or a vector: x + i y.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Plane(f64, f64);
 
@@ -36,18 +36,19 @@ impl Plane {
         self.0.hypot(self.1)
     }
 
-    /// The direction of it.
+    /// Returns the unit vector of this direction.
     fn unit(self) -> Plane {
         Plane(self.0 / self.size(), self.1 / self.size())
     }
 
-    /// The turn from another vector to it.
+    /// Returns the rotation from another vector to this one, as a unit vector.
     fn seen_from(self, other: Plane) -> Plane {
         self.times(Plane(other.0, -other.1)).unit()
     }
 }
 
-/// By the law of cosines: at `b` from P and at `c` from Q, on the left of P -> Q.
+/// Returns the point at distance `b` from P and `c` from Q, on the left of P -> Q, by the law of
+/// cosines.
 fn left(p: Plane, b: f64, q: Plane, c: f64) -> Plane {
     let d = q.minus(p).size();
     let cosine = (b * b + d * d - c * c) / (2.0 * b * d);
@@ -55,12 +56,12 @@ fn left(p: Plane, b: f64, q: Plane, c: f64) -> Plane {
     p.plus(q.minus(p).unit().times(Plane(b * cosine, b * sine)))
 }
 
-/// The same on the right.
+/// Returns the point at distance `b` from P and `c` from Q, on the right of P -> Q.
 fn right(p: Plane, b: f64, q: Plane, c: f64) -> Plane {
     left(q, c, p, b)
 }
 
-/// A preset, ready to be asked.
+/// A preset with its solver and state.
 struct Machine {
     scene: Scene,
     solver: Solver,
@@ -103,7 +104,7 @@ impl Machine {
         )
     }
 
-    /// Whether points lie where the formulas say, at places all over the motion.
+    /// Asserts that points agree with the formulas over the whole motion.
     fn agrees(&mut self, size: f64, expected: impl Fn(f64) -> Vec<(&'static str, Plane)>) {
         for at in self.places() {
             self.go(at);
@@ -115,7 +116,8 @@ impl Machine {
     }
 }
 
-/// The lever of a shaper: its direction follows the pin, and the ram hangs on its tip.
+/// Returns the tip and the ram of a shaper: the lever's direction follows the pin, and the ram is
+/// coupled to its tip.
 fn shaper(q: f64) -> (Plane, Plane) {
     let pivot = Plane(0.0, -250.0);
     let lever = Plane::polar(100.0, q).minus(pivot).unit();
@@ -128,24 +130,25 @@ fn shaper(q: f64) -> (Plane, Plane) {
 }
 
 #[test]
-fn the_shaper_cuts_over_four_fifths_of_its_lever_and_hurries_back() {
+fn shaper_has_expected_stroke_and_time_ratio() {
     let mut machine = Machine::of("shaper");
     machine.agrees(500.0, |q| vec![("T", shaper(q).0), ("F", shaper(q).1)]);
-    // At its ends the lever is a tangent of the pin's circle: acos(100 / 250) to either side of -90 degrees.
+    // At its ends the lever is tangent to the pin's circle: acos(100 / 250) to either side of -90
+    // degrees.
     let half = (100.0_f64 / 250.0).acos().to_degrees();
     let ends = [-90.0 + half, -90.0 - half].map(|end| {
         machine.go(end);
         assert!(machine.figure("F.vx").abs() < 1e-9, "at {end}");
         machine.figure("F.x")
     });
-    // 2 x 500 x 100 / 250, for the tip stands equally high at both.
+    // 2 x 500 x 100 / 250, because the tip has the same height at both ends.
     assert!((ends[0] - ends[1] - 400.0).abs() < 1e-9, "{ends:?}");
     let ratio = (360.0 - 2.0 * half) / (2.0 * half);
     assert!((ratio - 1.71).abs() < 0.005, "as the note says: {ratio}");
 }
 
 #[test]
-fn the_knuckle_press_strikes_twice() {
+fn knuckle_press_strikes_twice_per_turn() {
     let mut machine = Machine::of("knuckle-press");
     let knuckle = |q: f64| {
         let pin = Plane(420.0, -200.0).plus(Plane::polar(60.0, q));
@@ -165,7 +168,7 @@ fn the_knuckle_press_strikes_twice() {
 }
 
 #[test]
-fn the_drag_link_press_comes_down_slowly() {
+fn drag_link_press_falls_over_225_degrees() {
     let mut machine = Machine::of("drag-link-press");
     let ram = |q: f64| {
         let (pin, pivot) = (Plane::polar(200.0, q), Plane(80.0, 0.0));
@@ -190,7 +193,7 @@ fn the_drag_link_press_comes_down_slowly() {
 }
 
 #[test]
-fn the_counterweight_of_the_v_twin_takes_all_that_comes_once_a_turn() {
+fn v_twin_counterweight_cancels_first_order_frame_force() {
     let mut machine = Machine::of("v-twin");
     let piston = |q: f64, bore: f64| {
         let (sine, cosine) = (q - bore).to_radians().sin_cos();
@@ -200,7 +203,8 @@ fn the_counterweight_of_the_v_twin_takes_all_that_comes_once_a_turn() {
     machine.agrees(190.0, |q| {
         vec![("C", piston(q, 135.0)), ("D", piston(q, 45.0))]
     });
-    // Fourier's sums of what shakes the frame: 360 places are enough for a figure of so few harmonics.
+    // Fourier sums of the force on the frame: 360 positions are enough for a force with so few
+    // harmonics.
     let mut sums = [[0.0; 2]; 2];
     let mut largest = 0.0_f64;
     for at in 0..360 {
@@ -213,7 +217,7 @@ fn the_counterweight_of_the_v_twin_takes_all_that_comes_once_a_turn() {
             sum[1] += force * sine / 180.0;
         }
     }
-    // Unbalanced, each piston alone would give m r w^2.
+    // Unbalanced, a single piston would give m r w^2.
     let alone = 0.04 * (3000.0 * std::f64::consts::PI / 30.0_f64).powi(2);
     assert!(largest > 0.2 * alone, "{largest}");
     for sum in sums.into_iter().flatten() {
@@ -222,7 +226,7 @@ fn the_counterweight_of_the_v_twin_takes_all_that_comes_once_a_turn() {
 }
 
 #[test]
-fn the_rods_of_the_radial_engine_hang_on_the_master() {
+fn radial_engine_pistons_match_master_rod_formulas() {
     let mut machine = Machine::of("radial-engine");
     const NAMES: [&str; 4] = ["P2", "P3", "P4", "P5"];
     machine.agrees(320.0, |q| {
@@ -232,7 +236,7 @@ fn the_rods_of_the_radial_engine_hang_on_the_master() {
         let others = NAMES.iter().zip(1..).map(|(&name, k)| {
             let turn = 72.0 * f64::from(k);
             let knuckle = pin.plus(master.times(Plane::polar(50.0, turn)));
-            // In the frame of the bore.
+            // Coordinates in the frame of the bore.
             let seen = knuckle.times(Plane::polar(1.0, -90.0 - turn));
             let reach = seen.0 + (200.0_f64.powi(2) - seen.1 * seen.1).sqrt();
             (name, Plane::polar(reach, 90.0 + turn))
@@ -242,14 +246,14 @@ fn the_rods_of_the_radial_engine_hang_on_the_master() {
 }
 
 #[test]
-fn the_wiper_takes_as_long_there_as_back() {
+fn wiper_is_centric_and_swings_by_its_formula() {
     let mut machine = Machine::of("wiper");
     machine.agrees(500.0, |q| {
         let (pin, pivot) = (Plane::polar(50.0, q), Plane(282.5, 0.0));
         let end = left(pin, 280.0, pivot, 62.5);
         vec![("C", end), ("E", end.plus(Plane(500.0, 0.0)))]
     });
-    // Crank and rod in line, stretched and folded: by the law of cosines at A.
+    // Crank and rod in line, extended and folded: by the law of cosines at A.
     let end = |reach: f64| {
         let cosine = (reach * reach + 282.5 * 282.5 - 62.5 * 62.5) / (2.0 * reach * 282.5);
         cosine.acos().to_degrees()
@@ -266,7 +270,7 @@ fn the_wiper_takes_as_long_there_as_back() {
 }
 
 #[test]
-fn the_wheel_on_its_wishbones_leans_as_it_rises() {
+fn double_wishbone_camber_increases_with_wheel_travel() {
     let mut machine = Machine::of("double-wishbone");
     let contact = |q: f64| {
         let (pin, pivot) = (Plane::polar(360.0, q), Plane(96.0, 217.0));
@@ -285,13 +289,13 @@ fn the_wheel_on_its_wishbones_leans_as_it_rises() {
         machine.go(at);
         machine.figure("camber")
     });
-    // 264^2 + 23^2 = 265^2: as the car stands the upper ball joint is right above the lower one.
+    // 264^2 + 23^2 = 265^2: at rest the upper ball joint is exactly above the lower one.
     assert!(lean[1].abs() < 1e-10, "upright: {lean:?}");
     assert!(lean[0] < lean[1] && lean[1] < lean[2], "inwards: {lean:?}");
 }
 
 #[test]
-fn the_steering_is_right_straight_ahead_and_once_more() {
+fn ackermann_error_vanishes_at_0_and_near_29_degrees() {
     let mut machine = Machine::of("ackermann");
     let arm = Plane(-70.0, -175.0);
     let outer = |q: f64| {
@@ -316,7 +320,7 @@ fn the_steering_is_right_straight_ahead_and_once_more() {
 }
 
 #[test]
-fn the_bucket_turns_further_than_its_rocker() {
+fn backhoe_bucket_turns_further_than_its_rocker() {
     let mut machine = Machine::of("backhoe");
     let [foot, rocker, hinge] = [Plane(0.0, 0.22), Plane(1.35, 0.06), Plane(1.6, 0.0)];
     let bucket = |s: f64| {
@@ -345,14 +349,14 @@ fn the_bucket_turns_further_than_its_rocker() {
 }
 
 #[test]
-fn the_lift_table_rises_by_the_law_of_cosines_between_its_arms() {
+fn lift_table_follows_law_of_cosines() {
     let mut machine = Machine::of("lift-table");
     assert!(matches!(
         machine.solver.motion().range,
         Range::Limited { .. }
     ));
     machine.agrees(1600.0, |s| {
-        // From M the cylinder's ends are 500 and 300 away, twice the arms' angle apart.
+        // The cylinder's ends are 500 and 300 away from M, twice the arms' angle apart.
         let cosine = (500.0_f64.powi(2) + 300.0_f64.powi(2) - s * s) / (2.0 * 500.0 * 300.0);
         let angle = cosine.acos().to_degrees() / 2.0;
         let top = Plane::polar(1600.0, angle);

@@ -1,5 +1,5 @@
-//! The library from outside: scenes as they are read and refused, what is told of a solution, and the house that it
-//! is.
+//! Tests the library's public API: reading and rejecting scenes, reports on solutions, and the
+//! structure of the code.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

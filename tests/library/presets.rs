@@ -1,5 +1,5 @@
-//! Every preset opens, covers the range that its geometry gives, closes everywhere, and has rates
-//! that agree with differences of its positions.
+//! Checks that every preset opens, covers the range that its geometry gives, closes everywhere, and
+//! has rates that agree with differences of its positions.
 
 use crate::support::{U, closure_error, longest_link};
 use krank::Input;
@@ -8,11 +8,11 @@ use krank::solver::{Condition, GroupKind, Order, Range, Solver, State};
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 
-/// What the geometry of a preset gives.
+/// The range of motion that a preset's geometry gives.
 enum Reach {
-    /// Full turns; the motion repeats after one.
+    /// Full turns; the motion repeats after one turn.
     Turn,
-    /// Full turns; the motion repeats after two.
+    /// Full turns; the motion repeats after two turns.
     TurnTwice,
     /// From a lower to an upper limit, in degrees or the scene's length unit.
     Within(f64, f64),
@@ -21,7 +21,7 @@ enum Reach {
 struct Expected {
     name: &'static str,
     reach: Reach,
-    /// How it is solved, the driver aside; the same group several times over is listed once.
+    /// The groups that solve it, without the driver; repeated groups are listed once each.
     groups: &'static [GroupKind],
 }
 
@@ -86,7 +86,7 @@ const EXPECTED: [Expected; 35] = [
     ),
     turning("hoecken", &[Rrr]),
     turning("toggle-press", &[Rrr, Rrp]),
-    // Upright, where the joints fall on each other, and flat.
+    // Upright, where joints coincide, and flat.
     within("scissor-lift", 0.0, 2.0, &[Rrr; 10]),
     // |QP| - |QO| and |QP| + |QO|.
     within(
@@ -107,7 +107,8 @@ const EXPECTED: [Expected; 35] = [
     turning("wiper", &[Rrr, Rrr]),
     // The upright and the upper arm in line: acos((360^2 + AD^2 - 505^2) / 720 AD) about the direction of AD.
     within("double-wishbone", -47.728_843_679_365_4, 180.0, &[Rrr]),
-    // Rod and right arm in line: |BD| = 1260 + |DC|, by the law of cosines, less the direction of B on its arm.
+    // Rod and right arm in line: |BD| = 1260 + |DC|, by the law of cosines, minus the direction of
+    // B on its arm.
     within(
         "ackermann",
         -33.008_615_022_460_404,
@@ -121,11 +122,11 @@ const EXPECTED: [Expected; 35] = [
         1.759_448_417_557_650_5,
         &[Rrr, Rrr],
     ),
-    // The arms on each other, 500 - 300, and both upright, 500 + 300.
+    // The arms folded, 500 - 300, and both upright, 500 + 300.
     within("lift-table", 200.0, 800.0, &[Coupled { unknowns: 0 }, Rpr]),
 ];
 
-/// Between which stops a preset is kept, inside what its geometry gives: the stroke of a cylinder, the travel of a wheel.
+/// Stops of presets, within their geometric range: the stroke of a cylinder, the travel of a wheel.
 const STOPS: [(&str, f64, f64); 4] = [
     ("double-wishbone", -15.0, 15.0),
     ("ackermann", -32.0, 32.0),
@@ -133,7 +134,7 @@ const STOPS: [(&str, f64, f64); 4] = [
     ("lift-table", 250.0, 620.0),
 ];
 
-/// So many places over the range; none of them a limit or a multiple of 90 degrees.
+/// Number of coordinates over the range; none of them is a limit or a multiple of 90 degrees.
 const PLACES: u32 = 360;
 
 fn folder() -> PathBuf {
@@ -153,7 +154,7 @@ fn open(name: &str) -> Scene {
     parsed(&text(name), name)
 }
 
-/// A preset without the stops of its driver.
+/// Opens a preset without the stops of its driver.
 fn freed(name: &str) -> Scene {
     let text = text(name);
     let lines = text.lines().filter(|line| !line.starts_with("range"));
@@ -164,7 +165,7 @@ fn solver(scene: &Scene) -> Solver {
     Solver::new(&scene.mechanism).unwrap_or_else(|e| panic!("{}: {e}", scene.name))
 }
 
-/// The places at which a preset is looked at.
+/// Returns the coordinates at which a preset is checked.
 fn places(range: Range) -> Vec<f64> {
     let (low, high) = match range {
         Range::Full { period } => (0.0, period),
@@ -175,11 +176,11 @@ fn places(range: Range) -> Vec<f64> {
 }
 
 #[test]
-fn the_folder_the_program_and_this_test_know_the_same_presets() {
+fn folder_program_and_expectations_list_the_same_presets() {
     let files: BTreeSet<String> = std::fs::read_dir(folder())
         .expect("the folder")
         .map(|entry| entry.expect("an entry").path())
-        // Beside the scenes lie the tasks.
+        // The folder of tasks is next to the scenes.
         .filter(|path| path.is_file())
         .map(|path| path.file_stem().expect("a name").to_string_lossy().into())
         .collect();
@@ -190,7 +191,7 @@ fn the_folder_the_program_and_this_test_know_the_same_presets() {
 }
 
 #[test]
-fn every_preset_says_where_it_comes_from_and_what_there_is_to_see() {
+fn every_preset_has_a_source_a_note_and_a_title() {
     for Expected { name, .. } in &EXPECTED {
         let scene = open(name);
         let said = |text: &Option<String>| text.as_ref().is_some_and(|t| t.len() > 20);
@@ -206,7 +207,7 @@ fn every_preset_says_where_it_comes_from_and_what_there_is_to_see() {
 }
 
 #[test]
-fn every_preset_covers_the_range_of_its_geometry() {
+fn every_preset_covers_its_geometric_range() {
     for Expected { name, reach, .. } in &EXPECTED {
         let scene = freed(name);
         match (reach, solver(&scene).motion().range) {
@@ -222,7 +223,7 @@ fn every_preset_covers_the_range_of_its_geometry() {
 }
 
 #[test]
-fn stops_keep_a_preset_inside_the_range_of_its_geometry() {
+fn stops_limit_presets_within_their_geometric_range() {
     for Expected { name, .. } in &EXPECTED {
         let free = solver(&freed(name)).motion().range;
         let stops = STOPS.iter().find(|stops| stops.0 == *name);
@@ -234,7 +235,7 @@ fn stops_keep_a_preset_inside_the_range_of_its_geometry() {
 }
 
 #[test]
-fn every_preset_is_solved_by_the_groups_that_it_is_made_of() {
+fn every_preset_is_solved_by_expected_groups() {
     for Expected { name, groups, .. } in &EXPECTED {
         let scene = open(name);
         let solver = solver(&scene);
@@ -265,9 +266,10 @@ fn every_preset_closes_over_its_whole_range() {
     }
 }
 
-/// Every preset opens on the assembly that its `[start]` draws, not merely nearer to it than to another.
+/// Every preset opens close to the positions of its `[start]`, not merely nearer to them than
+/// another assembly.
 #[test]
-fn every_preset_opens_where_its_start_says() {
+fn every_preset_opens_near_its_start_positions() {
     for Expected { name, .. } in &EXPECTED {
         let scene = open(name);
         let solver = solver(&scene);
@@ -285,7 +287,7 @@ fn every_preset_opens_where_its_start_says() {
     }
 }
 
-/// All figures of a state, each with the rate that belongs to it.
+/// Returns all values of a state with their first and second rates.
 fn figures(scene: &Scene, state: &State) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     let (mut values, mut rates, mut accelerations) = (Vec::new(), Vec::new(), Vec::new());
     for point in scene.mechanism.point_ids() {
@@ -320,7 +322,8 @@ fn figures(scene: &Scene, state: &State) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
     (values, rates, accelerations)
 }
 
-/// The largest disagreement between rates and central differences, relative to the largest rate.
+/// Returns the largest difference between rates and central differences, relative to the largest
+/// rate.
 fn disagreement(low: &[f64], high: &[f64], span: f64, rates: &[f64]) -> f64 {
     let largest = rates.iter().fold(0.0_f64, |m, r| m.max(r.abs()));
     let differences = low.iter().zip(high).map(|(l, h)| (h - l) / span);
@@ -329,7 +332,7 @@ fn disagreement(low: &[f64], high: &[f64], span: f64, rates: &[f64]) -> f64 {
 }
 
 #[test]
-fn the_rates_of_every_preset_agree_with_differences() {
+fn rates_of_every_preset_agree_with_central_differences() {
     for Expected { name, .. } in &EXPECTED {
         let scene = open(name);
         let solver = solver(&scene);
@@ -338,7 +341,7 @@ fn the_rates_of_every_preset_agree_with_differences() {
         let mut state = solver.state();
         let range = solver.motion().range;
         let places = places(range);
-        // Beside a limit the rates grow so fast that differences say little about them.
+        // Near a limit the rates grow so fast that differences are inaccurate.
         let shy = match range {
             Range::Full { .. } => 0,
             Range::Limited { .. } => 3,
@@ -369,9 +372,10 @@ fn the_rates_of_every_preset_agree_with_differences() {
     }
 }
 
-/// The rates of Peaucellier's cell at its limit used to be shown as if they existed: 1e22 mm/s^2.
+/// Regression test: the rates of Peaucellier's cell at its limit were shown as if they existed, as
+/// 1e22 mm/s^2.
 #[test]
-fn at_the_ends_of_its_range_every_preset_is_at_a_dead_point() {
+fn dead_points_of_every_preset_are_reported_by_the_solver() {
     for Expected { name, .. } in &EXPECTED {
         let scene = open(name);
         let solver = solver(&scene);

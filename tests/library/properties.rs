@@ -1,11 +1,11 @@
-//! Whatever a file holds, reading it ends with a scene or with messages: never with a panic, never
-//! with a raw control character on the terminal.
+//! Checks that reading any file gives a scene or messages: never a panic, and never a raw control
+//! character on the terminal.
 
 use krank::scene::{Scene, is_harmful, presets};
 use proptest::prelude::*;
 use proptest::sample::{Index, select};
 
-/// Words of the format, values that are hard to read, and pieces of TOML.
+/// Words of the format, values that are difficult to read, and pieces of TOML.
 const PIECES: &[&str] = &[
     "[ground]\n",
     "[driver]\n",
@@ -88,7 +88,7 @@ const PIECES: &[&str] = &[
     "9999999999999999999999",
 ];
 
-/// Reads, and shows what is wrong in every way.
+/// Reads a scene and renders its errors in every style.
 fn survive(bytes: &[u8], origin: &str) {
     let Err(faults) = Scene::read(bytes, origin) else {
         return;
@@ -114,23 +114,23 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn any_bytes_are_survived(bytes in prop::collection::vec(any::<u8>(), 0..200), origin in ".*") {
+    fn random_bytes_never_panic(bytes in prop::collection::vec(any::<u8>(), 0..200), origin in ".*") {
         survive(&bytes, &origin);
     }
 
     #[test]
-    fn any_text_is_survived(text in "\\PC*|[\\x00-\\x7f]*") {
+    fn random_text_never_panics(text in "\\PC*|[\\x00-\\x7f]*") {
         survive(text.as_bytes(), "x");
     }
 
     #[test]
-    fn any_words_of_the_format_are_survived(words in prop::collection::vec(select(PIECES), 0..60)) {
+    fn random_words_of_the_format_never_panic(words in prop::collection::vec(select(PIECES), 0..60)) {
         survive(words.concat().as_bytes(), "x.toml");
     }
 
-    /// A good scene with some parts cut out, doubled or replaced: most faults that people make.
+    /// A valid scene with some parts removed, duplicated or replaced: the most common mistakes.
     #[test]
-    fn any_damage_to_a_preset_is_survived(
+    fn damaged_presets_never_panic(
         preset in any::<Index>(),
         wounds in prop::collection::vec((any::<Index>(), 0_usize..12, select(PIECES)), 1..4),
     ) {

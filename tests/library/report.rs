@@ -1,11 +1,11 @@
-//! The report: what the lecture prints stands in it, and every format of it is sound.
+//! Tests the report: it contains the lectures' values, and all of its formats are well-formed.
 
 use krank::page::{Content, Row, Table};
 use krank::report::{Report, ReportFormat};
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver};
 
-/// The report on a scene at a coordinate, or where it opens.
+/// Returns the report on a scene at a coordinate, by default where it opens.
 fn report(text: &str, at: Option<f64>, digits: usize) -> Report {
     let scene = Scene::parse(text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -20,7 +20,7 @@ fn of_preset(name: &str, digits: usize) -> Report {
     report(presets::find(name).unwrap().text, None, digits)
 }
 
-/// A figure that the lecture prints, by how much it is off, and how the report has it.
+/// A value printed by the lecture, its error, and the text in the report.
 type Printed = (f64, f64, &'static str);
 
 /// Weeks 3 and 7.
@@ -55,7 +55,7 @@ const FOUR_BAR: [Printed; 20] = [
     (11_997.09, 0.46, "11997.5467"),
 ];
 
-/// Week 4. Of its second root the slip is larger than any rounding: the roots' sum is 17.32.
+/// Week 4. Omits the second root, whose error exceeds any rounding: the roots' sum is 17.32.
 const SLIDER_CRANK: [Printed; 7] = [
     (28.0, 0.026, "r4 = 28.0251708"),
     (-14.47, 7.6e-3, "-14.4775122"),
@@ -66,20 +66,20 @@ const SLIDER_CRANK: [Printed; 7] = [
     (-459_977.6, 41.0, "d2r4/dt2 = -460017.673"),
 ];
 
-/// The last number of a text.
+/// Returns the last number of a text.
 fn number(text: &str) -> f64 {
     let words = text.split(' ').rev();
     words.map(str::parse).find_map(Result::ok).unwrap()
 }
 
 #[test]
-fn every_figure_of_the_lecture_stands_in_it() {
+fn report_contains_every_value_of_the_lectures() {
     for (name, printed) in [
         ("four-bar", &FOUR_BAR[..]),
         ("slider-crank", &SLIDER_CRANK[..]),
     ] {
         let text = of_preset(name, 9).written(ReportFormat::Text, false);
-        // Long formulas go on in the next line.
+        // Long formulas continue on the next line.
         let text: Vec<&str> = text.split_whitespace().collect();
         let text = text.join(" ");
         for &(printed, off, exact) in printed {
@@ -107,7 +107,7 @@ fn every_figure_of_the_lecture_stands_in_it() {
     }
 }
 
-/// The cells of a table, if it is one of a loop.
+/// Returns the cells of a table of a loop; `None` for other tables.
 fn cells(table: &Table) -> Option<Vec<&str>> {
     let rows = table.rows.iter().map(|row| match row {
         Row::Figures { cells, .. } => Some(cells.iter().flatten().map(|cell| cell.text.as_str())),
@@ -122,7 +122,7 @@ fn cells(table: &Table) -> Option<Vec<&str>> {
 }
 
 #[test]
-fn a_question_mark_stands_where_a_value_is_found_and_nowhere_else() {
+fn question_marks_stand_exactly_for_values_found_later() {
     for preset in presets::all() {
         let report = of_preset(preset.name, 6);
         let tables = report
@@ -149,7 +149,7 @@ fn a_question_mark_stands_where_a_value_is_found_and_nowhere_else() {
                             .and_then(|v| v.strip_prefix(" = "));
                         assert!(value.unwrap().parse::<f64>().is_ok(), "{after}");
                     }
-                    // What another loop finds.
+                    // A value found by another loop.
                     None if before.starts_with("from loop ") => {
                         let value = after.split_once(" = ").map(|(_, value)| value);
                         assert!(value.unwrap().parse::<f64>().is_ok(), "{after}");
@@ -161,7 +161,7 @@ fn a_question_mark_stands_where_a_value_is_found_and_nowhere_else() {
     }
 }
 
-/// Every element is closed in its order, and no text stands for markup.
+/// Checks that elements are closed in order and that no text is read as markup.
 fn is_well_formed(document: &str) -> Result<(), String> {
     let mut open = Vec::new();
     let mut rest = document.strip_prefix("<!DOCTYPE html>").ok_or("no type")?;
@@ -184,7 +184,7 @@ fn is_well_formed(document: &str) -> Result<(), String> {
             return Err(tag.to_owned());
         }
         let inside = &rest[..at];
-        // A bracket alone, or an ampersand that begins nothing.
+        // A lone bracket, or an ampersand without an entity.
         if inside.contains('>') || inside.split('&').skip(1).any(|s| !s.contains(';')) {
             return Err(inside.to_owned());
         }
@@ -197,7 +197,7 @@ fn is_well_formed(document: &str) -> Result<(), String> {
 }
 
 #[test]
-fn html_is_well_formed_and_needs_no_other_file() {
+fn html_is_well_formed_and_self_contained() {
     for preset in presets::all() {
         let html = of_preset(preset.name, 6).written(ReportFormat::Html, false);
         assert_eq!(is_well_formed(&html), Ok(()), "{}", preset.name);
@@ -212,7 +212,7 @@ fn html_is_well_formed_and_needs_no_other_file() {
 }
 
 #[test]
-fn the_checker_finds_what_is_wrong() {
+fn checkers_reject_malformed_html_and_latex() {
     let page = |inside: &str| format!("<!DOCTYPE html>{inside}");
     assert_eq!(is_well_formed(&page("<p>a &lt; b<br/></p>")), Ok(()));
     for bad in [
@@ -231,7 +231,8 @@ fn the_checker_finds_what_is_wrong() {
     }
 }
 
-/// Braces and environments are closed in their order, and mathematics as it was opened.
+/// Checks that braces and environments are closed in order, and that no special character is
+/// unescaped.
 fn is_sound_latex(text: &str) -> Result<(), String> {
     let mut open: Vec<String> = Vec::new();
     let mut depth = 0_usize;
@@ -265,7 +266,7 @@ fn is_sound_latex(text: &str) -> Result<(), String> {
 }
 
 #[test]
-fn latex_is_sound() {
+fn latex_is_balanced_and_uses_known_packages() {
     for preset in presets::all() {
         let tex = of_preset(preset.name, 6).written(ReportFormat::Latex, false);
         assert_eq!(is_sound_latex(&tex), Ok(()), "{}", preset.name);
@@ -283,7 +284,7 @@ fn latex_is_sound() {
 }
 
 #[test]
-fn nothing_that_a_scene_says_is_markup() {
+fn scene_texts_are_escaped_in_html_and_latex() {
     let four_bar = presets::find("four-bar").unwrap().text;
     let name = "<script>alert(1)</script> & \\input{secret} $x^2$ 50% #1 ~ 字";
     let renamed = format!("name = '{name}'\n");
@@ -301,9 +302,9 @@ fn nothing_that_a_scene_says_is_markup() {
     assert!(tex.contains("\\textbackslash{}input\\{secret\\}"), "{tex}");
 }
 
-/// Where there is no assembly a report says what it can, and at a dead point what exists.
+/// A report contains what exists without an assembly and at a dead point.
 #[test]
-fn a_report_stands_wherever_it_is_asked_for() {
+fn report_is_valid_without_assembly_and_at_dead_point() {
     let rocker = presets::find("double-rocker").unwrap().text;
     let scene = Scene::parse(rocker, "test").unwrap();
     let dead = Solver::new(&scene.mechanism).unwrap().motion().dead_points[0];
@@ -322,10 +323,10 @@ fn a_report_stands_wherever_it_is_asked_for() {
     }
 }
 
-/// What is drawn on a link that is cut free holds it in balance, inertia among it, about whatever point; and each link
-/// of a scene with forces has its picture in its own section.
+/// The forces on a free body, including inertia, are in equilibrium about any point, and each link
+/// of a scene with forces has a picture in its own section.
 #[test]
-fn links_are_cut_free_with_all_that_acts_on_them() {
+fn free_bodies_are_in_equilibrium_and_drawn() {
     let mut drawn = 0;
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -383,10 +384,11 @@ fn links_are_cut_free_with_all_that_acts_on_them() {
     assert!(drawn > 15, "{drawn}");
 }
 
-/// Nothing but a mark tells the unit of seconds from a length named `s`: every unit of a formula must have one.
+/// Only a mark distinguishes the unit of seconds from a length named `s`, so that every unit of a
+/// formula must have one.
 #[test]
-fn units_are_upright_and_names_are_not() {
-    // Behind a decimal: a name behind a whole number is multiplied by it.
+fn units_are_upright_and_names_are_italic() {
+    // Units follow decimals; a name after an integer is a factor.
     let is_decimal = |text: &str| {
         let rest = text.trim_end_matches(|c: char| c.is_ascii_digit());
         rest.len() < text.len() && rest.ends_with('.')
@@ -421,7 +423,7 @@ fn units_are_upright_and_names_are_not() {
     assert!(latex.contains("2.81990\\ \\penalty900 \\text{rad}/\\penalty900 \\text{s}"));
     assert!(latex.contains("\\(r_{\\text{2}}\\) + \\(s\\) - \\(r_{\\text{1}}\\) = 0, to scale"));
     assert!(latex.contains(" & \\(r_{\\text{2}}\\) & \\(s\\) & \\(r_{\\text{1}}\\) \\\\"));
-    // Text is as it was.
+    // Plain text has no marks.
     let text = page.to_text(krank::page::TextStyle {
         ascii: false,
         width: 200,

@@ -1,4 +1,4 @@
-//! Rows that are solved several at once are those that are solved one by one.
+//! Checks that rows solved several at a time equal rows solved one by one.
 
 use krank::quantity::{Catalogue, Quantity, state_word};
 use krank::report::{Columns, CsvDialect, RowFormat, Steps, Sweep, WrittenDecimal};
@@ -9,7 +9,7 @@ fn decimal(value: f64) -> WrittenDecimal {
     WrittenDecimal::of(value).unwrap()
 }
 
-/// The rows of a sweep over all figures, cell by cell; the last is the state.
+/// Returns the cells of a sweep over all values; the last cell of a row is the state.
 fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) -> Vec<Vec<String>> {
     let catalogue = Catalogue::new(scene);
     let columns = Columns::new(catalogue.driver(), figures, false);
@@ -32,7 +32,7 @@ fn swept(scene: &Scene, solver: &Solver, figures: &[Quantity], steps: &Steps) ->
         .collect()
 }
 
-/// Holds every row against the same state, solved alone.
+/// Compares every row with the same state, solved alone.
 fn agree(scene: &Scene, steps: &Steps) {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let catalogue = Catalogue::new(scene);
@@ -58,9 +58,9 @@ fn agree(scene: &Scene, steps: &Steps) {
     }
 }
 
-/// Over the motion, its limits and change points, and a little beyond.
+/// Covers the motion, its limits and change points, and a little beyond.
 #[test]
-fn every_preset_is_swept_as_it_is_solved() {
+fn swept_rows_equal_single_solutions_bit_for_bit() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let (low, high) = match Solver::new(&scene.mechanism).unwrap().motion().range {
@@ -82,9 +82,10 @@ fn every_preset_is_swept_as_it_is_solved() {
     }
 }
 
-/// Fewer rows than are solved at once, and whole degrees through the change points.
+/// Covers fewer rows than are solved at a time, and multiples of ten degrees through the change
+/// points.
 #[test]
-fn short_sweeps_and_round_angles() {
+fn short_sweeps_and_round_angles_equal_single_solutions() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let start = scene.mechanism.driver().start;
@@ -101,7 +102,7 @@ fn short_sweeps_and_round_angles() {
 }
 
 #[test]
-fn solving_at_once_allocates_nothing() {
+fn solving_lanes_allocates_nothing() {
     let preset = presets::find("jansen-leg").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -117,9 +118,10 @@ fn solving_at_once_allocates_nothing() {
     assert_eq!(info.count_total, 0);
 }
 
-/// A vector between two points that meet has no direction there, and there alone.
+/// A vector between two coincident points has no direction there, but has one in the neighbouring
+/// rows.
 #[test]
-fn a_figure_that_does_not_exist_in_one_row_exists_in_its_neighbours() {
+fn missing_value_in_one_row_leaves_neighbours_intact() {
     let text = r#"
 name = "A crank that meets a post"
 [ground]

@@ -1,5 +1,5 @@
-//! What a lecturer missed in the working and in reports: nothing is told before it is found, given figures are
-//! those that were given, and every letter has one meaning.
+//! Tests a lecturer's requirements on the working and reports: no value before it is found, given
+//! values stay as given, and every letter has one meaning.
 
 use krank::page::TextStyle;
 use krank::report::{PositionMethod, Report, Working, WorkingNotation};
@@ -11,7 +11,7 @@ const WIDE: TextStyle = TextStyle {
     width: 400,
 };
 
-/// A preset, solved at a coordinate or where it opens.
+/// Solves a preset at a coordinate, by default where it opens.
 fn solved(name: &str, at: Option<f64>) -> (Scene, Solver, Workspace) {
     let scene = Scene::parse(presets::find(name).unwrap().text, name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -34,13 +34,13 @@ fn report(name: &str, at: Option<f64>) -> String {
     report.page.to_text(WIDE)
 }
 
-/// From the line that holds one text to the one that holds another.
+/// Returns the text between two markers.
 fn between<'t>(text: &'t str, from: &str, to: &str) -> &'t str {
     let rest = text.split_once(from).map_or("", |(_, rest)| rest);
     rest.split_once(to).map_or(rest, |(part, _)| part)
 }
 
-/// The cells of the first line that begins with a name.
+/// Returns the cells of the first line that begins with a name.
 fn row<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
     let line = text.lines().find(|line| line.trim().starts_with(name));
     let line = line.unwrap_or_else(|| panic!("no {name} in\n{text}"));
@@ -52,7 +52,7 @@ fn row<'t>(text: &'t str, name: &str) -> Vec<&'t str> {
 }
 
 #[test]
-fn the_driver_keeps_its_given_rates_where_nothing_else_has_any() {
+fn report_shows_driver_rates_without_other_rates() {
     let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
     let beyond = dead_point - 10.0;
     for (name, at, head, condition, given) in [
@@ -87,7 +87,7 @@ fn the_driver_keeps_its_given_rates_where_nothing_else_has_any() {
 }
 
 #[test]
-fn a_loop_asks_for_what_it_finds_itself() {
+fn loop_tables_ask_only_for_their_own_unknowns() {
     let report = report("press-ram", None);
     let asked = between(&report, "Position table\n", "Loop equations\n");
     let second = between(asked, "loop 2", "Vectors between");
@@ -99,7 +99,7 @@ fn a_loop_asks_for_what_it_finds_itself() {
 }
 
 #[test]
-fn no_angle_has_a_value_before_its_group() {
+fn angles_have_no_value_before_their_group() {
     for text in [working("press-ram", None), report("press-ram", None)] {
         let table = between(&text, "from the coordinates", "Loop equations\n");
         let line = table.lines().find(|line| line.contains("theta_r4e ="));
@@ -118,7 +118,7 @@ fn no_angle_has_a_value_before_its_group() {
 }
 
 #[test]
-fn the_unit_vectors_are_defined_once() {
+fn unit_vectors_are_defined_once() {
     let text = working("four-bar", None);
     assert_eq!(text.matches("u(theta) = cos(theta) i").count(), 1, "{text}");
     assert!(
@@ -134,7 +134,7 @@ fn the_unit_vectors_are_defined_once() {
 }
 
 #[test]
-fn the_quadratic_has_units() {
+fn coefficients_of_the_quadratic_have_units() {
     let text = working("slider-crank", None);
     let unit = |begin: &str, unit: &str| {
         let line = text.lines().find(|line| line.trim().starts_with(begin));
@@ -146,7 +146,7 @@ fn the_quadratic_has_units() {
 }
 
 #[test]
-fn one_letter_is_one_vector() {
+fn letters_are_not_reused_for_other_vectors() {
     let text = working("jansen-leg", None);
     assert!(text.contains("sx = "), "{text}");
     // m is the crank.
@@ -160,7 +160,7 @@ fn one_letter_is_one_vector() {
 }
 
 #[test]
-fn a_coupled_group_tells_every_angle_it_finds() {
+fn coupled_group_lists_all_its_angles() {
     let text = working("stephenson-six-bar", None);
     let group = between(&text, "Group 2, coupled", "Velocities\n");
     for angle in ["theta3 = atan2(y", "theta5 = atan2(y", "theta6 = atan2(y"] {
@@ -181,7 +181,7 @@ fn by(method: PositionMethod, name: &str, at: Option<f64>) -> String {
 }
 
 #[test]
-fn bisection_says_where_it_looks_and_when_it_stops() {
+fn bisection_states_its_interval_and_stopping_rule() {
     let text = by(PositionMethod::Bisection, "four-bar", None);
     for piece in [
         "f has its minimum where the arm lies along m, at theta3 = -13.8979 deg",
@@ -195,7 +195,7 @@ fn bisection_says_where_it_looks_and_when_it_stops() {
 }
 
 #[test]
-fn a_root_at_an_end_is_not_halved() {
+fn bisection_skips_halving_if_an_end_is_the_root() {
     let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
     for (name, at) in [("double-rocker", dead_point), ("parallelogram", 0.0)] {
         let text = by(PositionMethod::Bisection, name, Some(at));
@@ -208,7 +208,7 @@ fn a_root_at_an_end_is_not_halved() {
 }
 
 #[test]
-fn circles_that_touch_meet_in_one_point() {
+fn tangent_circles_meet_in_one_point() {
     let dead_point = solved("double-rocker", None).1.motion().range.ends().0;
     let text = by(PositionMethod::Graphical, "double-rocker", Some(dead_point));
     assert!(
@@ -225,7 +225,7 @@ fn circles_that_touch_meet_in_one_point() {
 }
 
 #[test]
-fn a_caption_says_what_its_picture_shows() {
+fn captions_match_their_pictures() {
     let (scene, solver, state) = solved("press-ram", None);
     let report = Report::new(&scene, &solver, &state, 6);
     let (text, html) = (report.page.to_text(WIDE), report.page.to_html());

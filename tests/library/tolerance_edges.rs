@@ -1,4 +1,5 @@
-//! Worst cases where the tolerances reach an edge of assembly: no machine within them goes further than what is told.
+//! Tests worst cases where the tolerances reach an edge of assembly: no machine within the
+//! tolerances exceeds them.
 
 use krank::quantity::{Catalogue, Quantity};
 use krank::scene::{Scene, presets};
@@ -22,7 +23,8 @@ impl Random {
     }
 }
 
-/// A scene near an edge of assembly, what is asked, where, and how far each length may be off.
+/// A scene near an edge of assembly, with the columns, the coordinate, and the tolerance of each
+/// length.
 struct NearEdge {
     scene: Scene,
     columns: Vec<Quantity>,
@@ -49,7 +51,8 @@ const FOUR_BAR: [&str; 8] = [
     "C.x", "C.y", "r3.angle", "r4.angle", "C.vx", "r4.omega", "C.ay", "r4.alpha",
 ];
 
-/// A dyad that is nearly straight, or nearly folded: the sum or the difference of its lengths beside a distance.
+/// Returns the lengths of a dyad that is nearly extended or nearly folded: their sum or difference
+/// is close to the distance.
 fn arms(random: &mut Random, distance: f64, gap: f64) -> Option<[f64; 2]> {
     let rocker = distance * random.from(0.3, 1.6);
     let coupler = match random.even() < 0.5 {
@@ -66,7 +69,7 @@ fn four_bar(random: &mut Random) -> Option<NearEdge> {
     let (sin, cos) = at.to_radians().sin_cos();
     let distance = (cos - frame).hypot(sin);
     let [coupler, rocker] = arms(random, distance, gap)?;
-    // The circle about B and the circle about D: at x on the way from B to D, h beside it.
+    // The circles about B and D intersect at x along the line from B to D, and at h from that line.
     let x = (distance * distance + coupler * coupler - rocker * rocker) / (2.0 * distance);
     let h = (coupler * coupler - x * x).max(0.0).sqrt();
     let [ux, uy] = [(frame - cos) / distance, -sin / distance];
@@ -102,7 +105,7 @@ fn slider_crank(random: &mut Random) -> Option<NearEdge> {
     (rod > 0.3).then(|| NearEdge::new(&text, &columns, at, tolerance))?
 }
 
-/// A four-bar with a toggle behind it: bars C-E and E-G, nearly straight.
+/// Returns a four-bar with a toggle attached: bars C-E and E-G, nearly in line.
 fn toggle(random: &mut Random) -> Option<NearEdge> {
     let at = random.from(0.0, 360.0);
     let tolerance = random.from(0.01, 0.3);
@@ -133,7 +136,7 @@ fn toggle(random: &mut Random) -> Option<NearEdge> {
                  r6 = {{ from = \"G\", to = \"E\", length = {far} }}"
             ),
         );
-    // The opening must be on the assembly that the preset has at this angle.
+    // The scene must open on the preset's assembly at this angle.
     let start = text.find("[start]")?;
     let x = (distance * distance + near * near - far * far) / (2.0 * distance);
     let h = (near * near - x * x).max(0.0).sqrt();
@@ -155,7 +158,7 @@ fn toggle(random: &mut Random) -> Option<NearEdge> {
     NearEdge::new(&text, &columns, at, tolerance)
 }
 
-/// A machine beside an end of its range.
+/// Returns a machine near an end of its range.
 fn beside_end(
     text: &str,
     random: &mut Random,
@@ -176,7 +179,8 @@ fn beside_end(
     NearEdge::new(text, columns, at, random.from(least, most))
 }
 
-/// Presets that do not turn fully: dyads and cylinders.
+/// Returns a preset with a limited range, made of dyads or with a cylinder, near an end of its
+/// range.
 fn limited_preset(random: &mut Random) -> Option<NearEdge> {
     let all: [(&str, &[&str], f64); 3] = [
         (
@@ -196,7 +200,7 @@ fn limited_preset(random: &mut Random) -> Option<NearEdge> {
     beside_end(text, random, columns, [0.05 * size, size])
 }
 
-/// Stephenson's coupled group with a longer crank, which comes to dead points.
+/// Returns Stephenson's coupled group with a longer crank, which has dead points.
 fn coupled(random: &mut Random) -> Option<NearEdge> {
     let crank = random.from(60.0, 120.0);
     let text = presets::find("stephenson-six-bar")?
@@ -207,7 +211,7 @@ fn coupled(random: &mut Random) -> Option<NearEdge> {
     beside_end(&text, random, &columns, [0.05, 0.6])
 }
 
-/// Makes machines of a scene, and reads its columns.
+/// Evaluates the columns of varied machines of a scene.
 struct Maker {
     varied: Varied,
     columns: Vec<Quantity>,
@@ -233,7 +237,7 @@ impl Maker {
         values.collect()
     }
 
-    /// The last machine that closes on the way to one that may not.
+    /// Returns the last machine that closes on the line from the nominal machine to `to`.
     fn towards(&mut self, to: &[f64]) -> Vec<f64> {
         if self.values(to).is_some() {
             return to.to_vec();
@@ -250,7 +254,8 @@ impl Maker {
         to.iter().map(|by| by * low).collect()
     }
 
-    /// The furthest that random steps lead a column, from the best of random machines at corners and at the edge.
+    /// Returns the extreme of a column that random steps reach, starting from the best of random
+    /// machines at corners and at the edge.
     fn furthest(&mut self, random: &mut Random, column: usize, sign: f64, tolerance: f64) -> f64 {
         let count = self.varied.lengths();
         let mut best = vec![0.0; count];
@@ -285,7 +290,7 @@ impl Maker {
     }
 }
 
-/// What was counted over many scenes.
+/// Counts over many scenes.
 #[derive(Debug, Default)]
 struct Counts {
     values: usize,
@@ -332,7 +337,7 @@ impl Counts {
                 if end.is_infinite() {
                     self.unbounded += 1;
                     assert_eq!(worst.kind, WorstKind::Unbounded);
-                    // A machine that goes very far was met.
+                    // A machine with a very large value was found.
                     let size = figure.nominal.abs().max(1e-3);
                     assert!(
                         sign * reached > 100.0 * size,
@@ -354,12 +359,12 @@ impl Counts {
     }
 }
 
-/// Draws a machine near an edge, if the draw assembles.
+/// Draws a random machine near an edge; `None` if it does not assemble.
 type Draw = fn(&mut Random) -> Option<NearEdge>;
 
-/// Of random machines near an edge of assembly, none goes further than the worst case.
+/// No random machine near an edge of assembly exceeds the worst case.
 #[test]
-fn no_machine_near_an_edge_exceeds_the_worst_case() {
+fn random_machines_near_an_edge_stay_within_worst_case() {
     let kinds: [(Draw, usize); 5] = [
         (four_bar, 16),
         (slider_crank, 12),
@@ -390,12 +395,13 @@ fn no_machine_near_an_edge_exceeds_the_worst_case() {
     );
 }
 
-/// The lengths of a four-bar that is 0.14 from a dead point, and of a machine within these tolerances.
+/// The lengths of a four-bar at 0.14 from a dead point, so that a machine within these tolerances
+/// reaches it.
 const TRIPLE_ROCKER: [f64; 4] = [2.8037, 1.0, 2.6665, 1.0686];
 
-/// The acceleration of C grows beyond all bounds: a machine within the tolerances has 129781.
+/// The acceleration of C is unbounded: a machine within the tolerances has 129781.
 #[test]
-fn rates_are_unbounded_where_tolerances_reach_a_dead_point() {
+fn rates_are_unbounded_if_tolerances_reach_a_dead_point() {
     let [frame, crank, coupler, rocker] = TRIPLE_ROCKER;
     let text = format!(
         "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [{frame}, 0]\n[driver]\nlink = \"r2\"\nangle = 0\n\

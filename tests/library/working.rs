@@ -1,4 +1,4 @@
-//! The working shown: it can be followed line by line, is complete, and says what the solver says.
+//! Tests the working: it is complete, consistent line by line, and agrees with the solver.
 
 use krank::page::{Content, Line, TextStyle};
 use krank::report::{Worked, Working};
@@ -41,7 +41,7 @@ impl Bench {
             .of(&self.scene, &self.solver, &self.state, digits)
     }
 
-    /// Coordinates all over the motion, its ends and what lies beyond among them.
+    /// Returns coordinates over the whole motion, including its ends and positions beyond them.
     fn places(&self) -> Vec<f64> {
         let (low, high) = self.solver.motion().range.ends();
         let step = (high - low) / 24.0;
@@ -57,13 +57,13 @@ fn text(worked: &Worked) -> String {
     worked.page.to_text(PLAIN)
 }
 
-// ---- the solver's figures
+// ---- values of the solver
 
-/// What the printed formulas lose: a few roundings of their terms.
+/// The rounding error of the printed formulas: a few roundings of their terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// Forms that no preset has: a guide that passes its pivot, a barrel likewise, a block that is locked to a
-/// moving link, a guide on a moving link, and a joint between two guides that cross askew.
+/// Forms that no preset has: a guide with an offset from its pivot, a barrel with an offset, a
+/// block locked to a moving link, a guide on a moving link, and a joint between two oblique guides.
 pub(crate) const OTHERS: [(&str, &str); 5] = [
     (
         "offset lever",
@@ -177,7 +177,7 @@ Y = [25, 0]
     ),
 ];
 
-/// All presets, and what none of them has.
+/// Returns all presets, and forms that no preset has.
 fn benches() -> impl Iterator<Item = (&'static str, Bench)> {
     let presets = presets::all().iter();
     let presets = presets.map(|preset| (preset.name, Bench::of(preset.name)));
@@ -185,7 +185,7 @@ fn benches() -> impl Iterator<Item = (&'static str, Bench)> {
 }
 
 #[test]
-fn every_figure_that_is_worked_out_is_the_solvers() {
+fn worked_values_agree_with_the_solver() {
     for (name, mut bench) in benches() {
         for at in bench.places() {
             let worked = bench.at(at, 6);
@@ -204,10 +204,10 @@ fn every_figure_that_is_worked_out_is_the_solvers() {
     }
 }
 
-/// Where a link stops turning its instant centre goes through infinity: on the way there and at that place the
-/// working stays true, and says of the centre what can be said.
+/// Where a link stops turning, its instant centre goes through infinity: near and at that position,
+/// the working stays correct.
 #[test]
-fn centres_go_through_infinity() {
+fn instant_centres_stay_valid_through_infinity() {
     let mut met = 0;
     for (name, mut bench) in benches() {
         let links: Vec<_> = bench.scene.mechanism.link_ids().collect();
@@ -236,7 +236,7 @@ fn centres_go_through_infinity() {
                         _ => to = middle,
                     }
                 }
-                // Where the whole link stops there is no centre to be found, and nothing but rounding left to compare.
+                // A link at rest has no instant centre, and only rounding is left to compare.
                 let members = bench.scene.mechanism.link(link).members.iter();
                 let speed = |point| bench.state.velocity(point).unwrap().norm();
                 if members.map(|m| speed(m.point)).fold(0.0, f64::max) < 1e-6 {
@@ -259,9 +259,10 @@ fn centres_go_through_infinity() {
     assert!(met > 20, "{met}");
 }
 
-/// As a student finds it: where the crank's line and the rocker's cross, and the coupler turns about that.
+/// A student finds the centre as the intersection of the crank's line and the rocker's line, about
+/// which the coupler turns.
 #[test]
-fn the_four_bars_instant_centre_reads_so() {
+fn four_bar_instant_centres_match_snapshot() {
     let text = text(&Bench::of("four-bar").at(60.0, 6));
     insta::assert_snapshot!("working-centres", part(&text, "8 Instant", "9 Check"));
 }
@@ -269,7 +270,7 @@ fn the_four_bars_instant_centre_reads_so() {
 // ---- complete, finite, plain
 
 #[test]
-fn every_presets_working_names_everything_and_is_plain() {
+fn working_names_all_links_vectors_and_groups_in_ascii() {
     for (name, mut bench) in benches() {
         for at in bench.places() {
             let worked = bench.at(at, 6);
@@ -303,7 +304,7 @@ fn every_presets_working_names_everything_and_is_plain() {
 }
 
 #[test]
-fn lines_keep_within_their_width() {
+fn lines_fit_their_width() {
     for preset in presets::all() {
         let mut bench = Bench::of(preset.name);
         let start = bench.scene.mechanism.driver().start;
@@ -326,9 +327,9 @@ fn lines_keep_within_their_width() {
     }
 }
 
-/// Nothing of a formula is lost where it is broken into lines.
+/// Wrapping loses no part of a formula.
 #[test]
-fn broken_lines_hold_every_word() {
+fn wrapped_lines_keep_every_character() {
     let words = |lines: Vec<Line>| -> String {
         let all = lines.into_iter().map(|line| line.text());
         all.flat_map(|line| {
@@ -367,7 +368,7 @@ fn loops(name: &str) -> Vec<String> {
 }
 
 #[test]
-fn the_loops_are_those_of_the_lectures() {
+fn loops_equal_those_of_the_lectures() {
     assert_eq!(loops("four-bar"), ["r1 + r2 + r3 + r4 = 0"]);
     assert_eq!(loops("slider-crank"), ["r2 + r3 + r4 = 0"]);
     assert_eq!(loops("slotted-lever"), ["r2 + r3 - r1 = 0"]);
@@ -381,13 +382,13 @@ fn the_loops_are_those_of_the_lectures() {
     assert_eq!(loops("stephenson-six-bar").len(), 2);
 }
 
-/// As many independent loops as the structure has: joints less moving links.
+/// The number of independent loops is the number of joints minus that of moving links.
 #[test]
-fn a_scene_has_as_many_loops_as_its_structure() {
+fn loop_count_follows_structure() {
     for (name, count) in [
         ("watt-six-bar", 2),
         ("klann-leg", 2),
-        // Two of them tell further vectors, OB and OP.
+        // Two of the loops define additional vectors, OB and OP.
         ("peaucellier", 5),
         ("triple-parallelogram", 2),
         ("kite", 1),
@@ -407,7 +408,7 @@ fn exact(path: &str) -> f64 {
     value.as_str().unwrap().parse().unwrap()
 }
 
-/// The working of a preset to nine digits, every formula on one line.
+/// Returns the working of a preset to nine digits, with every formula on one line.
 fn long_lines(name: &str, at: f64) -> String {
     let wide = TextStyle {
         ascii: true,
@@ -416,7 +417,8 @@ fn long_lines(name: &str, at: f64) -> String {
     Bench::of(name).at(at, 9).page.to_text(wide)
 }
 
-/// The figure at the end of the line of a symbol, below a heading; with `at`, the direction behind it.
+/// Returns the value at the end of a symbol's line, below a heading; with `at`, the direction after
+/// it.
 fn figure(text: &str, heading: &str, symbol: &str, at: bool) -> f64 {
     let below = &text[text
         .find(heading)
@@ -432,7 +434,8 @@ fn figure(text: &str, heading: &str, symbol: &str, at: bool) -> f64 {
         .unwrap_or_else(|e| panic!("{line}: {e}"))
 }
 
-/// A figure of the notes: where it stands, what they print, by how much that is off, and the exact value.
+/// A value of the notes: its heading and symbol, whether it is a direction, the printed value, its
+/// error, and the exact value.
 struct Printed(&'static str, &'static str, bool, f64, f64, f64);
 
 fn follow(text: &str, figures: &[Printed]) {
@@ -448,7 +451,7 @@ fn follow(text: &str, figures: &[Printed]) {
             miss <= *off,
             "{symbol}: {found} is {miss:e} away from the notes' {printed}"
         );
-        // What is said of the rounding of the notes is no excuse for more than it is.
+        // The stated error of the notes must not be far larger than the actual one.
         assert!(
             miss >= off / 12.0,
             "{symbol}: the notes are off by {miss:e} alone"
@@ -456,10 +459,11 @@ fn follow(text: &str, figures: &[Printed]) {
     }
 }
 
-/// Weeks 3 and 7: the four-bar at 60 deg. The notes round on the way: alpha is off by 4.6e-5 deg, and what
-/// follows from the rates of four digits, the accelerations of C, by up to 4e-5 of itself.
+/// Weeks 3 and 7: the four-bar at 60 deg. The notes round intermediate results: alpha is off by
+/// 4.6e-5 deg, and the accelerations of C, which follow from rates of four digits, by up to 4e-5
+/// relative.
 #[test]
-fn the_four_bar_of_the_lecture_is_followed_line_by_line() {
+fn four_bar_values_agree_with_lecture_notes() {
     let text = long_lines("four-bar", 60.0);
     let m = 350.0_f64.hypot(exact("B1.B.y"));
     let alpha = (exact("B1.B.y") / 350.0).atan().to_degrees();
@@ -537,17 +541,17 @@ fn the_four_bar_of_the_lecture_is_followed_line_by_line() {
     );
     assert_eq!(figure(&text, b, "aB", false), 22_500.0);
     assert_eq!(figure(&text, b, "aB", true), 240.0);
-    // The notes print 290.7520 where the drawing has 290.75.
+    // The notes print 290.7520, but 290.75 in the drawing.
     let found = figure(&text, group, "theta4", false);
     assert!((found - theta4).abs() < 1e-6 && (found - 290.7520).abs() < 6e-4);
     assert!(text.contains("  theta3 = -alpha + beta = "), "{text}");
     assert!(text.contains("  theta4 = -alpha - gamma = "), "{text}");
 }
 
-/// Week 4: the slider-crank at 30 deg. The notes go on with four digits of theta3; the second root that they
-/// print, -21.4, is twice the exact one: the halving of the formula was forgotten there.
+/// Week 4: the slider-crank at 30 deg. The notes continue with four digits of theta3. Their second
+/// root, -21.4, is twice the exact one, because the formula's division by two was forgotten there.
 #[test]
-fn the_slider_crank_of_the_lecture_is_followed_line_by_line() {
+fn slider_crank_values_agree_with_lecture_notes() {
     let text = long_lines("slider-crank", 30.0);
     let (group, velocity, acceleration) = ("Group 2", "5 Velocities", "6 Accelerations");
     follow(
@@ -594,9 +598,9 @@ fn the_slider_crank_of_the_lecture_is_followed_line_by_line() {
     assert!((exact("B2.theta3_deg") + 14.47).abs() < 0.01);
 }
 
-// ---- small parts to be read
+// ---- snapshots of small parts
 
-/// What stands between two headings.
+/// Returns the text between two headings.
 fn part<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
     let begin = text.find(from).unwrap();
     let end = text[begin..].find(to).map_or(text.len(), |end| begin + end);
@@ -604,27 +608,27 @@ fn part<'a>(text: &'a str, from: &str, to: &str) -> &'a str {
 }
 
 #[test]
-fn the_four_bars_group_reads_so() {
+fn four_bar_group_matches_snapshot() {
     let text = text(&Bench::of("four-bar").at(60.0, 6));
     insta::assert_snapshot!("working-four-bar", part(&text, "1 Vector", "5 Velocities"));
 }
 
 #[test]
-fn a_coupled_group_reads_so() {
+fn coupled_group_matches_snapshot() {
     let text = text(&Bench::of("stephenson-six-bar").at(60.0, 6));
     insta::assert_snapshot!("working-coupled", part(&text, "4.2 Group", "5 Velocities"));
 }
 
 #[test]
-fn the_free_body_of_a_loaded_link_reads_so() {
+fn free_body_of_a_loaded_link_matches_snapshot() {
     let text = text(&Bench::of("four-bar-load").at(60.0, 6));
     insta::assert_snapshot!("working-forces", part(&text, "9 Forces", "9.2 Link"));
 }
 
-// ---- states with a name
+// ---- special states
 
 #[test]
-fn a_dead_point_has_positions_and_no_rates() {
+fn dead_point_has_positions_but_no_rates() {
     let mut bench = Bench::of("double-rocker");
     let at = bench.solver.motion().dead_points[0];
     let text = text(&bench.at(at, 6));
@@ -638,7 +642,7 @@ fn a_dead_point_has_positions_and_no_rates() {
 }
 
 #[test]
-fn a_change_point_gives_the_limits_along_the_motion() {
+fn change_point_gives_limits_along_the_motion() {
     let mut bench = Bench::of("parallelogram");
     let text = text(&bench.at(0.0, 6));
     assert_eq!(bench.state.condition(), Condition::ChangePoint);
@@ -647,7 +651,7 @@ fn a_change_point_gives_the_limits_along_the_motion() {
 }
 
 #[test]
-fn outside_the_range_the_triangle_says_why() {
+fn triangle_explains_missing_assembly() {
     let mut bench = Bench::of("double-rocker");
     let range = bench.solver.motion().range;
     let Range::Limited { high, .. } = range else {
@@ -671,9 +675,9 @@ fn outside_the_range_the_triangle_says_why() {
     assert!(text.contains('?'), "{text}");
 }
 
-/// An arm too short for its guide.
+/// The arm is too short for its guide.
 #[test]
-fn outside_the_range_the_quadratic_says_why() {
+fn quadratic_explains_missing_assembly() {
     let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 10\n[links]\n\
         r2 = { from = \"A\", to = \"B\", length = 100 }\nr3 = { from = \"B\", to = \"C\", length = 50 }\n[slides]\n\
         r4 = { point = \"C\", on = \"ground\", through = \"A\", angle = 0 }\n[start]\nC = [140, 0]\n";

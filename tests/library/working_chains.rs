@@ -1,29 +1,29 @@
-//! Every chain of equal sides with numbers in it is true as it stands on the page.
+//! Checks that every printed chain of equal numeric sides is true as printed.
 
 use krank::page::{Block, Content, Page, TextStyle};
 use krank::report::Working;
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver};
 
-/// What is done to the value in a pair of brackets.
+/// A function applied to the value in a pair of brackets.
 type Function = fn(f64) -> f64;
 
-/// A reader of printed numbers: sums, products, squares, roots, sines and cosines of degrees.
+/// A parser for printed expressions: sums, products, squares, roots, sines and cosines of degrees.
 struct Reader<'a> {
     rest: &'a str,
-    /// The largest number that was read: what a side is rounded by.
+    /// The largest number so far, which scales the rounding error of a side.
     largest: f64,
 }
 
 impl<'a> Reader<'a> {
-    /// The value of a side, and the largest of its parts; `None` where it has a symbol in it.
+    /// Returns the value of a side and its largest part; `None` if it contains a symbol.
     fn side(text: &'a str) -> Option<(f64, f64)> {
         let mut reader = Reader {
             rest: text,
             largest: 0.0,
         };
         let value = reader.sum()?;
-        // A unit may stand behind a figure, and then its direction.
+        // A value may be followed by a unit, and then by a direction.
         let is_over = reader.rest.is_empty() || reader.rest.starts_with(' ');
         is_over.then_some((value, reader.largest))
     }
@@ -93,7 +93,8 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// Counts the chains of rates, points and forces, each of which must be true to its printed digits.
+/// Asserts that the chains of rates, points and forces are true to their printed digits, and
+/// returns their number.
 fn hold(page: &Page, context: &str) -> usize {
     let begins = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.starts_with("5 "));
     let ends = |block: &Block| matches!(&block.content, Content::Heading(1, text) if text.ends_with("Check"));
@@ -104,7 +105,7 @@ fn hold(page: &Page, context: &str) -> usize {
             continue;
         };
         for equation in equations {
-            // An equation with unknowns is not a chain of figures.
+            // An equation with unknowns is not a numeric chain.
             if equation.sides.last().is_some_and(|side| side == "0") {
                 continue;
             }
@@ -149,15 +150,16 @@ fn follow(name: &str, text: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_chain_of_every_preset_is_true_as_it_stands() {
+fn equation_chains_of_every_preset_hold_as_printed() {
     for preset in presets::all() {
         follow(preset.name, preset.text);
     }
 }
 
-/// A load on a joint is in no link's table: the pin's own balance has it, and the slot's guide.
+/// A load on a joint is in no link's table, but in the balance of the pin, with the guide of a
+/// slot.
 #[test]
-fn a_load_at_a_joint_has_its_pins_balance() {
+fn loaded_joint_shows_balance_of_its_pin() {
     for (preset, point) in [
         ("four-bar", "C"),
         ("slider-crank", "C"),
@@ -177,10 +179,11 @@ fn a_load_at_a_joint_has_its_pins_balance() {
     }
 }
 
-/// A force at every moving point and a torque on every link make every joint of every kind of group bear something:
-/// by one equation, by two, or by all at once its reactions come out as the solver's.
+/// A force at every moving point and a torque on every link load every joint of every kind of
+/// group. The reactions are found by one equation, by two, or by all at once, and agree with the
+/// solver.
 #[test]
-fn what_every_kind_of_group_bears_is_worked_out() {
+fn joint_reactions_are_worked_out_for_every_kind_of_group() {
     let presets = presets::all().iter().map(|p| (p.name, p.text));
     let mut told = [0; 3];
     for (name, text) in presets.chain(crate::working::OTHERS) {
@@ -212,9 +215,9 @@ fn what_every_kind_of_group_bears_is_worked_out() {
     assert!(told.iter().all(|&count| count > 60), "{told:?}");
 }
 
-/// The law of a spring, and the factor of a load, are chains that are followed like any other.
+/// A spring's law and a load's factor are chains like any other.
 #[test]
-fn springs_and_factors_are_told() {
+fn springs_and_load_factors_are_shown() {
     let given = presets::find("four-bar").unwrap().text;
     let loads = "[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 1200\nlength = 80\ndamping = 5\n\
         [[loads]]\nlink = \"r4\"\ntorque = 12\nover = [[0, 0.2], [180, 1], [360, 0.2]]\n";
@@ -229,7 +232,7 @@ fn springs_and_factors_are_told() {
 }
 
 #[test]
-fn the_reader_knows_a_lost_sign() {
+fn reader_evaluates_printed_expressions() {
     assert_eq!(Reader::side("(-3.5)·2"), Some((-7.0, 7.0)));
     assert_eq!(Reader::side("7.00 mm/s at 90 deg"), Some((7.0, 7.0)));
     assert_eq!(Reader::side("sqrt(3^2 + (-4)^2)").unwrap().0, 5.0);

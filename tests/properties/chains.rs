@@ -1,19 +1,20 @@
-//! Chains of loops whose motion is known exactly: parallelograms, antiparallelograms and kites in any
-//! order and of any size, all folded into one line at once, anywhere in the plan and turned by any angle.
+//! Tests chains of loops with a known exact motion: parallelograms, antiparallelograms and kites in
+//! any order and of any size, all folded into one line at the same time, anywhere in the plane and
+//! at any angle.
 //!
-//! The rocker of each loop is the crank of the next. A chain either follows its exact motion or its range
-//! ends before: what it must never do is to go on otherwise. `KRANK_CHAINS` says how many are tried.
+//! The rocker of each loop is the crank of the next. A chain either follows its exact motion or its
+//! range ends earlier: it must never follow another motion. `KRANK_CHAINS` is the number of chains.
 
 use crate::plant::unit;
 use krank::solver::{Condition, Order, Range, Solver};
 use krank::{Builder, Double, Driver, Input, PointId, Vec2};
 
-/// Places of a chain's range at which it is held against its motion.
+/// Number of positions over a chain's range at which it is compared with its exact motion.
 const STATES: u32 = 64;
-/// How near a place must be to the exact one, in units of the chain's size.
+/// Maximum distance from the exact position, relative to the chain's size.
 const CLOSE: f64 = 1e-9;
 
-/// Numbers that look as if drawn (xorshift).
+/// Pseudo-random numbers (xorshift).
 struct Chance(u64);
 
 impl Chance {
@@ -48,7 +49,7 @@ enum Kind {
     Kite,
 }
 
-/// A loop of a chain: the crank that it is driven by, and its frame, coupler and rocker.
+/// A loop of a chain: its driving crank, frame, coupler and rocker.
 #[derive(Clone, Copy, Debug)]
 struct Loop {
     kind: Kind,
@@ -89,8 +90,8 @@ impl Loop {
         }
     }
 
-    /// The rocker's angle for one of the crank, both in radians, from the line of the pivots; going on
-    /// smoothly.
+    /// Returns the rocker's angle for a crank angle, both in radians from the line of the pivots,
+    /// continued smoothly.
     fn rocker_at(&self, crank: f64) -> f64 {
         let (a, g) = (self.crank, self.frame);
         match self.kind {
@@ -112,7 +113,7 @@ impl Loop {
         }
     }
 
-    /// How many times as fast as its crank the rocker turns at the most.
+    /// Returns the maximum ratio of the rocker's speed to the crank's.
     fn quickest(&self) -> f64 {
         let (a, g) = (self.crank, self.frame);
         match self.kind {
@@ -122,7 +123,7 @@ impl Loop {
     }
 }
 
-/// A chain of loops with its first pivot at `place`, its line turned by `turn` degrees.
+/// A chain of loops with its first pivot at `place` and its line at `turn` degrees.
 #[derive(Clone, Debug)]
 struct Chain {
     loops: Vec<Loop>,
@@ -131,11 +132,11 @@ struct Chain {
     start: f64,
 }
 
-/// What became of a chain.
+/// The result for a chain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Verdict {
     Right,
-    /// Its range ends where the motion goes on.
+    /// The range ends although the motion continues.
     Refused,
     Wrong,
 }
@@ -171,7 +172,8 @@ impl Chain {
         }
     }
 
-    /// Where the pins are with the first crank at an angle in degrees, from its line.
+    /// Returns the positions of the pins with the first crank at an angle in degrees from the
+    /// chain's line.
     fn pins(&self, crank: f64) -> Vec<Vec2> {
         let along = unit(self.turn);
         let mut pivot = self.place;
@@ -189,14 +191,14 @@ impl Chain {
         360.0 * f64::from(kites as u32).exp2()
     }
 
-    /// The product of all that its loops gear up.
+    /// Returns the product of the loops' maximum speed ratios.
     fn gearing(&self) -> f64 {
         self.loops.iter().map(Loop::quickest).product()
     }
 
     fn open(&self) -> (Solver, Vec<PointId>) {
         let mut m = Builder::default();
-        // Pivots in line to twice the precision, then rounded.
+        // Pivots are in line in double-double arithmetic, then rounded.
         let along = Double::unit(self.turn);
         let mut so_far = Double::ZERO;
         let pivot = m.ground_point(self.place.x, self.place.y);
@@ -224,13 +226,13 @@ impl Chain {
         (Solver::new(&m.build().unwrap()).unwrap(), pins)
     }
 
-    /// Holds the chain against its exact motion, all over the range that it is given.
+    /// Compares the chain with its exact motion over its whole range.
     fn judged(&self) -> Verdict {
         let (solver, pins) = self.open();
         let range = solver.motion().range;
         let (low, high) = range.ends();
         let size: f64 = self.loops.iter().map(|l| l.frame + l.rocker).sum();
-        // What the exact motion loses here, in doubles.
+        // The rounding error of the exact motion in doubles.
         let own = 1e-15 * size * self.gearing();
         let mut state = solver.state();
         let mut enclosure = solver.enclosure();
@@ -255,7 +257,7 @@ impl Chain {
         }
         let is_whole = match range {
             Range::Full { period } => period == self.period(),
-            // The walk ends after so many turns, wherever it is.
+            // Tracking stops after this many turns in any case.
             Range::Limited { low, high } => high - low > 360.0 * 16.0,
         };
         if is_whole {
@@ -288,10 +290,10 @@ fn chains_follow_their_exact_motion_or_end() {
     assert!(50 * refused <= cases, "{refused} of {cases} end early");
 }
 
-/// Cranks of 1, pivots 1.5 apart: the second pin once went the way of parallelogram and antiparallelogram
-/// mixed.
+/// Regression test with cranks of 1 and pivots 1.5 apart: the second pin followed a mixture of
+/// parallelogram and antiparallelogram.
 #[test]
-fn two_equal_parallelograms_in_a_row_translate() {
+fn two_equal_parallelograms_in_series_only_translate() {
     let equal = Loop {
         kind: Kind::Parallelogram,
         crank: 1.0,

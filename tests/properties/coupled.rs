@@ -1,4 +1,5 @@
-//! A group that falls into no dyads: three legs carry one link (an Assur group of class III).
+//! Tests a group that does not split into dyads: three legs carry one link (an Assur group of class
+//! III).
 
 use crate::bits::bits;
 use crate::plant::*;
@@ -7,7 +8,7 @@ use krank::solver::{Condition, GroupKind, Order, Range, Solver};
 use krank::{Mechanism, PointId, Vec2};
 use proptest::prelude::*;
 
-/// A link on three legs, the third of which stands on the crank's pin.
+/// A link on three legs, the third of which is attached to the crank's pin.
 #[derive(Clone, Copy, Debug)]
 struct Triad {
     crank: Crank,
@@ -28,8 +29,9 @@ impl Triad {
         self.measure_at(self.crank.pin(), self.tops)
     }
 
-    /// The volume of the three legs as unit forces on the link, in another position of the mechanism:
-    /// zero where their lines meet in one point. A motion without a singularity keeps its sign.
+    /// Returns the determinant of the three legs as unit forces on the link, in another position of
+    /// the mechanism. It is zero where their lines meet in one point, and keeps its sign in a
+    /// motion without singularities.
     fn measure_at(self, pin: Vec2, tops: [Vec2; 3]) -> f64 {
         let feet = [self.feet[0], self.feet[1], pin];
         let line = |i: usize| {
@@ -85,11 +87,11 @@ fn triad() -> impl Strategy<Value = Triad> {
 }
 
 proptest! {
-    // A motion by Newton takes some milliseconds to follow.
+    // Tracking a motion by Newton's method takes some milliseconds.
     #![proptest_config(ProptestConfig::with_cases(64))]
 
     #[test]
-    fn a_planted_triad_is_recovered(triad in triad()) {
+    fn planted_triad_is_recovered(triad in triad()) {
         let (mechanism, tops) = triad.build();
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let coupled = |kind| matches!(kind, GroupKind::Coupled { .. });
@@ -103,15 +105,14 @@ proptest! {
         closes(&solver, &mechanism, triad.scale());
     }
 
-    /// A motion that stays on its assembly never passes a singularity: the measure keeps its sign.
     #[test]
-    fn a_triad_stays_on_its_assembly(triad in triad()) {
+    fn triad_stays_on_its_assembly(triad in triad()) {
         let (mechanism, tops) = triad.build();
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let mut state = solver.state();
         let planted = triad.measure();
         let around = (0..180).map(|k| triad.crank.angle + 2.0 * f64::from(k));
-        // Two solutions meet at a limit: beside it they are easily mistaken for each other.
+        // Two solutions meet at a limit, and are easily confused near it.
         let beside = match solver.motion().range {
             Range::Full { .. } => Vec::new(),
             Range::Limited { low, high } => (1..10)
@@ -129,10 +130,10 @@ proptest! {
         }
     }
 
-    /// At its limits the three legs meet in one point, and the link comes there with the square root of
-    /// the crank's way.
+    /// At a limit the three legs meet in one point, and the link's distance from the limit grows
+    /// with the square root of the crank's.
     #[test]
-    fn a_triad_ends_where_its_legs_meet(triad in triad()) {
+    fn triad_limits_are_where_its_legs_meet(triad in triad()) {
         let (mechanism, tops) = triad.build();
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let Range::Limited { low, high } = solver.motion().range else { return Ok(()) };
@@ -140,12 +141,12 @@ proptest! {
         let mut placed = |at: f64, expected: Condition| {
             let condition = solver.solve(at, Order::Acceleration, &mut state);
             assert_eq!(condition, expected, "at {at} of {low} to {high}");
-            // Beyond a limit there is no place to be looked at, anywhere else there is one.
+            // Positions exist everywhere except beyond a limit.
             let is_somewhere = expected != Condition::NoAssembly;
             assert!(tops.iter().all(|&p| state.position(p).is_some() == is_somewhere), "at {at}");
             tops.map(|p| state.position(p).unwrap_or_default())
         };
-        // The end is no near miss, however close to it the measure comes down to its rounding.
+        // A limit is not a near miss, however small the measure is close to it.
         for miss in &solver.motion().near_misses {
             prop_assert!(miss.at - low > 1e-5 && high - miss.at > 1e-5, "{miss:?} in {low} to {high}");
         }
@@ -162,7 +163,7 @@ proptest! {
             }
             placed(if inwards > 0.0 { end.next_down() } else { end.next_up() }, Condition::NoAssembly);
             placed(end - inwards * 1e-11, Condition::NoAssembly);
-            // Corrections that are all rounding find a state here and none there.
+            // Corrections near rounding must still find a state at each of these doubles.
             let mut beside = end;
             for _ in 0..200 {
                 beside = if inwards > 0.0 { beside.next_up() } else { beside.next_down() };
@@ -178,9 +179,9 @@ proptest! {
         }
     }
 
-    /// A coupled group is solved from anchors of the motion, never from the last state.
+    /// A coupled group is solved from anchors of the motion, not from the previous state.
     #[test]
-    fn a_triad_remembers_nothing(triad in triad(), from in angle(), to in -360.0..720.0_f64) {
+    fn triad_solution_does_not_depend_on_previous_state(triad in triad(), from in angle(), to in -360.0..720.0_f64) {
         let (mechanism, _) = triad.build();
         let solver = Solver::new(&mechanism).expect("it closes as planted");
         let (mut fresh, mut used) = (solver.state(), solver.state());
@@ -195,10 +196,10 @@ proptest! {
     }
 }
 
-/// Used to open on one assembly and be followed on the other: the start lies 0.12 degrees from a limit,
-/// where the two meet, and the first step of a degree led across.
+/// Regression test: the scene opened on one assembly and was tracked on the other. The start lies
+/// 0.12 degrees from a limit, where the two meet, and the first step of one degree crossed over.
 #[test]
-fn a_triad_that_opens_beside_its_limit_stays_on_its_assembly() {
+fn triad_opening_near_its_limit_stays_on_its_assembly() {
     let triad = Triad {
         crank: Crank {
             length: 0.289_294_023_799_230_97,

@@ -1,4 +1,4 @@
-//! The other dyads, and six-bars of two: planted and recovered.
+//! Tests the other dyads, and six-bars of two dyads, with known solutions.
 
 use crate::four_bar::pose;
 use crate::plant::*;
@@ -9,14 +9,14 @@ use proptest::prelude::*;
 
 proptest! {
     #[test]
-    fn a_planted_slider_crank_is_recovered(
+    fn planted_slider_crank_is_recovered(
         crank in crank(),
         rod in (length(), angle()),
         guide in (prop_oneof![2 => angle(), 1 => Just(0.0), 1 => Just(90.0)], -2.0..2.0_f64),
         lean in prop_oneof![1 => Just(None), 1 => tiny().prop_map(Some)],
     ) {
         let along = unit(guide.0);
-        // Near its toggle the rod stands nearly across the guide.
+        // Near its toggle the rod is nearly perpendicular to the guide.
         let rod_direction = match lean {
             None => unit(rod.1),
             Some(lean) => along.perp() + along * lean,
@@ -45,7 +45,7 @@ proptest! {
     }
 
     #[test]
-    fn a_planted_inverted_slider_crank_is_recovered(
+    fn planted_inverted_slider_crank_is_recovered(
         crank in crank(),
         lever in angle(),
         along in prop_oneof![1 => length(), 1 => tiny().prop_map(f64::abs)],
@@ -54,7 +54,7 @@ proptest! {
     ) {
         // The slot lies `offset` to the left of the lever's x axis; the pin is at `reach` along it.
         let reach = along * forward;
-        // Pin and pivot must not coincide: a short reach stands on an offset.
+        // Pin and pivot must not coincide, so that a short reach needs an offset.
         let offset = offset.1 * if along < 0.1 { offset.0.max(0.1) } else { offset.0 };
         let direction = unit(lever);
         let pivot_at = crank.pin() - Vec2::new(reach, offset).turned(direction);
@@ -67,7 +67,7 @@ proptest! {
         builder.start(tip, pivot_at + direction);
         let mechanism = builder.build().expect("a sound inverted slider-crank");
         let scale = crank.length.max(pivot_at.norm()).max(reach.abs()).max(offset.abs()).max(1.0);
-        // The reach is found from distance and offset: its square root is the measure.
+        // The reach follows from distance and offset by a square root, which is the measure.
         let distance = (pivot_at - crank.pin()).norm();
         let sin_mu = (reach / distance).abs();
         if let Some(solver) = open(&mechanism, scale, sin_mu, ROUNDINGS * scale / distance) {
@@ -82,7 +82,7 @@ proptest! {
     }
 
     #[test]
-    fn a_planted_pin_in_two_slots_is_recovered(
+    fn planted_pin_in_two_slots_is_recovered(
         angle_of_crank in angle(),
         first in (angle(), -2.0..2.0_f64),
         crossing in crossing(),
@@ -124,7 +124,7 @@ proptest! {
     }
 
     #[test]
-    fn a_planted_yoke_is_recovered(
+    fn planted_yoke_is_recovered(
         crank in crank(),
         guide in (angle(), -2.0..2.0_f64),
         turn in prop_oneof![2 => Just(0.0), 1 => angle()],
@@ -136,7 +136,7 @@ proptest! {
         let yoke_axis = unit(turn).turned(along);
         let slot_in_yoke = slot.0 - turn;
         let slot_axis = unit(slot_in_yoke).turned(yoke_axis);
-        // The slot passes through the pin, the yoke's origin anywhere.
+        // The slot passes through the pin; the yoke's origin is arbitrary.
         let origin_at = crank.pin() - slot_axis * slot.1;
         let through = origin_at - along * travel;
         let mut builder = Mechanism::builder();
@@ -164,13 +164,13 @@ proptest! {
     }
 
     #[test]
-    fn a_planted_six_bar_is_recovered(
+    fn planted_six_bar_is_recovered(
         pose in pose(open_apex()),
         bodies in prop_oneof![Just((0, 1)), Just((0, 2)), Just((1, 2)), Just((2, 0))],
         locals in [(-1.5..1.5_f64, -1.5..1.5_f64), (-1.5..1.5_f64, -1.5..1.5_f64)],
         apex in apex(),
     ) {
-        // The second dyad hangs on two different bodies of: coupler, rocker, ground.
+        // The second dyad is attached to two different bodies of: coupler, rocker, ground.
         let (first, second) = ((bodies.0, locals[0]), (bodies.1, locals[1]));
         let pin = pose.crank.pin();
         let (b, c) = pose.lengths();
@@ -213,7 +213,7 @@ proptest! {
         builder.start(apex_point, apex_at);
         let mechanism = builder.build().expect("a sound six-bar");
         let scale = pose.scale().max((apex_at - e_at).norm()).max((apex_at - f_at).norm()).max(3.0);
-        // The first dyad's error, by the lever of its links, enters the second.
+        // The first dyad's error, amplified by the lever of its links, enters the second.
         let lever = 1.0 + 3.0 / b.min(c);
         let before = allowance(pose.roundings(), pose.sin_mu()) * lever;
         let sin_mu = sine(apex_at - e_at, apex_at - f_at);

@@ -1,4 +1,4 @@
-//! Four-bars: planted, and held against the closed forms of the textbooks.
+//! Tests four-bars with known solutions, and against the closed forms of textbooks.
 
 use crate::plant::*;
 use crate::support::U;
@@ -6,7 +6,7 @@ use krank::solver::{Condition, Order, Range, Solver};
 use krank::{Driver, Input, LinkId, Mechanism, PointId, Vec2};
 use proptest::prelude::*;
 
-/// The ids of a four-bar.
+/// A four-bar with the ids of its parts.
 pub(crate) struct FourBar {
     pub(crate) mechanism: Mechanism,
     pub(crate) joint: PointId,
@@ -14,7 +14,7 @@ pub(crate) struct FourBar {
     pub(crate) rocker: LinkId,
 }
 
-/// A four-bar by its pose.
+/// A four-bar defined by its pose.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pose {
     pub(crate) crank: Crank,
@@ -100,7 +100,7 @@ pub(crate) fn pose(apex: impl Strategy<Value = Apex>) -> impl Strategy<Value = P
         })
 }
 
-/// A pose on a grid of 1/1024, so that moving and scaling it is exact.
+/// Generates poses on a grid of 1/1024, so that translation and scaling are exact.
 pub(crate) fn round_pose() -> impl Strategy<Value = Pose> {
     let grid = |v: f64| (v * 1024.0).round() / 1024.0;
     pose(open_apex()).prop_map(move |mut pose| {
@@ -112,7 +112,7 @@ pub(crate) fn round_pose() -> impl Strategy<Value = Pose> {
     })
 }
 
-/// A four-bar whose crank turns fully: it is the shortest link by far.
+/// Generates four-bars whose crank, by far the shortest link, turns fully.
 pub(crate) fn crank_rocker() -> impl Strategy<Value = Pose> {
     round_pose().prop_map(|mut pose| {
         let distance = pose.pivot.norm();
@@ -126,8 +126,8 @@ pub(crate) fn crank_rocker() -> impl Strategy<Value = Pose> {
     })
 }
 
-/// omega and alpha of coupler and rocker for a crank at one radian per second: the two vector
-/// equations, each multiplied by the direction that removes one unknown.
+/// Returns omega and alpha of coupler and rocker for a crank at one radian per second, from the two
+/// vector equations, each multiplied by the direction that eliminates one unknown.
 pub(crate) fn textbook_rates(pose: Pose) -> [f64; 4] {
     let pin = pose.crank.pin();
     let (e, f) = (pose.joint - pin, pose.joint - pose.pivot);
@@ -141,15 +141,14 @@ pub(crate) fn textbook_rates(pose: Pose) -> [f64; 4] {
     [w3, w4, alpha3, alpha4]
 }
 
-/// The range of the crank by the cosine theorem in the triangle ABD, whose side BD must lie between
-/// |b - c| and b + c, with the error in degrees that its rounding allows. `None` where a change point is
-/// near.
+/// Returns the range of the crank by the law of cosines in the triangle ABD, whose side BD must lie
+/// between |b - c| and b + c, with its rounding error in degrees. `None` near a change point.
 pub(crate) fn textbook_range(pose: Pose) -> Option<(Range, f64)> {
     let (b, c) = pose.lengths();
     let (a, d) = (pose.crank.length, pose.pivot.norm());
     let cosine = |side: f64| (a * a + d * d - side * side) / (2.0 * a * d);
     let (at_folded, at_stretched) = (cosine((b - c).abs()), cosine(b + c));
-    // The crank's angle from AD lies between these, to one side or the other.
+    // The crank's angle from AD lies between these, on one side or the other.
     let inner = (at_folded < 1.0).then(|| at_folded.acos().to_degrees());
     let outer = (at_stretched > -1.0).then(|| at_stretched.acos().to_degrees());
     let near_change = [at_folded - 1.0, at_stretched + 1.0].map(|v| v.abs() < 1e-3);
@@ -179,7 +178,7 @@ pub(crate) fn textbook_range(pose: Pose) -> Option<(Range, f64)> {
 
 proptest! {
     #[test]
-    fn a_planted_four_bar_is_recovered(pose in pose(apex())) {
+    fn planted_four_bar_is_recovered(pose in pose(apex())) {
         let FourBar { mechanism, joint, .. } = pose.build(Vec2::ZERO, 1.0);
         let (scale, sin_mu) = (pose.scale(), pose.sin_mu());
         if let Some(solver) = pose.open(&mechanism) {
@@ -192,7 +191,7 @@ proptest! {
     }
 
     #[test]
-    fn the_rates_of_a_four_bar_are_the_textbook_s(pose in pose(open_apex())) {
+    fn four_bar_rates_agree_with_closed_forms(pose in pose(open_apex())) {
         let FourBar { mechanism, coupler, rocker, .. } = pose.build(Vec2::ZERO, 1.0);
         let (scale, sin_mu) = (pose.scale(), pose.sin_mu());
         let Some(solver) = pose.open(&mechanism) else { return Ok(()) };
@@ -201,8 +200,8 @@ proptest! {
         let [w3, w4, alpha3, alpha4] = textbook_rates(pose);
         let (b, c) = pose.lengths();
         let lever = scale / b.min(c);
-        // The rules of the numerics, with the roundings of planting: err(omega) <= 7 u max(1, omega)
-        // (L / min(b, c)) / sin^2, err(alpha) <= 40 u max(1, alpha) (L / min(b, c))^2 / sin^2.
+        // The error model, with the rounding of the known pose: err(omega) <= 7 u max(1, omega) (L
+        // / min(b, c)) / sin^2, err(alpha) <= 40 u max(1, alpha) (L / min(b, c))^2 / sin^2.
         let omega = |w: f64| 2.0 * pose.roundings() * U * w.abs().max(1.0) * lever / (sin_mu * sin_mu);
         let alpha = |a: f64| {
             let size = a.abs().max(w3 * w3).max(w4 * w4).max(1.0);
@@ -215,7 +214,7 @@ proptest! {
     }
 
     #[test]
-    fn the_range_of_a_four_bar_is_that_of_its_triangle(pose in pose(open_apex())) {
+    fn four_bar_range_agrees_with_law_of_cosines(pose in pose(open_apex())) {
         let FourBar { mechanism, .. } = pose.build(Vec2::ZERO, 1.0);
         let Some(solver) = pose.open(&mechanism) else { return Ok(()) };
         let Some((expected, slack)) = textbook_range(pose) else { return Ok(()) };

@@ -1,4 +1,4 @@
-//! What must not change a state: its size, its place, its history, what else is asked for.
+//! Tests the invariance of states under scaling, translation, history and demand.
 
 use crate::bits::bits;
 use crate::four_bar::{FourBar, crank_rocker, pose, round_pose};
@@ -8,14 +8,14 @@ use krank::solver::{Condition, Demand, Order, Range, Solver};
 use krank::{Body, Mechanism, Vec2};
 use proptest::prelude::*;
 
-/// The places at which two solvers or histories are compared.
+/// Generates coordinates at which two solvers or histories are compared.
 pub(crate) fn places() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(-720.0..720.0_f64, 1..6)
 }
 
 proptest! {
     #[test]
-    fn a_power_of_two_changes_no_bit(pose in round_pose(), power in -40..40_i32, places in places()) {
+    fn scaling_by_powers_of_two_changes_no_bit(pose in round_pose(), power in -40..40_i32, places in places()) {
         let factor = 2.0_f64.powi(power);
         let (near, far) = (pose.build(Vec2::ZERO, 1.0), pose.build(Vec2::ZERO, factor));
         let Some(one) = pose.open(&near.mechanism) else { return Ok(()) };
@@ -32,7 +32,7 @@ proptest! {
     }
 
     #[test]
-    fn a_far_ground_costs_no_digit_of_the_motion(
+    fn translation_far_from_origin_loses_no_digits(
         pose in round_pose(),
         shift in (-100_000_000..100_000_000_i32, -100_000_000..100_000_000_i32),
         places in places(),
@@ -62,7 +62,7 @@ proptest! {
     }
 
     #[test]
-    fn a_state_does_not_depend_on_how_one_got_there(pose in pose(apex()), at in -720.0..720.0_f64, steps in 1..40_i32) {
+    fn state_does_not_depend_on_path(pose in pose(apex()), at in -720.0..720.0_f64, steps in 1..40_i32) {
         let FourBar { mechanism, .. } = pose.build(Vec2::ZERO, 1.0);
         let Some(solver) = pose.open(&mechanism) else { return Ok(()) };
         let mut jumped = solver.state();
@@ -80,7 +80,7 @@ proptest! {
     }
 
     #[test]
-    fn a_turn_later_the_bits_are_the_same(pose in crank_rocker(), at in -1024..1024_i32, turns in -1_000_000..1_000_000_i32) {
+    fn state_repeats_bit_for_bit_after_full_turns(pose in crank_rocker(), at in -1024..1024_i32, turns in -1_000_000..1_000_000_i32) {
         // Sums of eighths of a degree and whole turns are exact.
         let FourBar { mechanism, .. } = pose.build(Vec2::ZERO, 1.0);
         let Some(solver) = pose.open(&mechanism) else { return Ok(()) };
@@ -94,7 +94,7 @@ proptest! {
     }
 
     #[test]
-    fn asking_for_less_changes_no_bit(pose in crank_rocker(), at in angle()) {
+    fn reduced_demand_changes_no_bit(pose in crank_rocker(), at in angle()) {
         let FourBar { mechanism, joint, rocker, .. } = pose.build(Vec2::ZERO, 1.0);
         let Some(solver) = pose.open(&mechanism) else { return Ok(()) };
         let mut full = solver.state();
@@ -116,7 +116,7 @@ proptest! {
 
     /// Hard case H28: accelerations are linear in the driver's acceleration, at a standstill too.
     #[test]
-    fn h28_a_standstill_has_accelerations(pose in pose(open_apex()), acceleration in -100.0..100.0_f64) {
+    fn h28_accelerations_exist_at_standstill(pose in pose(open_apex()), acceleration in -100.0..100.0_f64) {
         let turning = pose.driven(Vec2::ZERO, 1.0, 1.0, 0.0);
         let starting = pose.driven(Vec2::ZERO, 1.0, 0.0, acceleration);
         let Some(one) = pose.open(&turning.mechanism) else { return Ok(()) };
@@ -126,7 +126,8 @@ proptest! {
         prop_assert_eq!(a.condition(), Condition::Ok);
         for link in [turning.coupler, turning.rocker] {
             prop_assert_eq!(b.omega(link).unwrap(), 0.0);
-            // At a standstill alpha is the coefficient of first order, here omega, times the acceleration.
+            // At a standstill, alpha is the first-order coefficient (here omega) times the
+            // acceleration.
             let expected = a.omega(link).unwrap() * acceleration;
             let off = (b.alpha(link).unwrap() - expected).abs();
             prop_assert!(off <= 4.0 * U * expected.abs(), "{off:e}");
@@ -134,9 +135,9 @@ proptest! {
     }
 }
 
-/// What is asked for may be a slide alone.
+/// A demand may consist of a single slide.
 #[test]
-fn a_slide_is_read_without_anything_else() {
+fn slide_alone_can_be_demanded() {
     let mut builder = Mechanism::builder();
     let crank = Crank {
         length: 1.0,

@@ -1,8 +1,9 @@
-//! Properties: plant a pose, measure the lengths, solve, recover the pose.
+//! Property tests with a known solution: choose a pose, measure its lengths, solve, and recover the
+//! pose.
 //!
-//! The poses lean towards toggles, equal links and neighbours within 32 ulp. What is recovered is
-//! judged by the measure of the group, sin(mu): an error of one rounding in a length moves the inner
-//! joint by L u / sin(mu), and by no more than about L sqrt(u) where sin(mu) vanishes.
+//! The poses favour toggles, equal links and neighbours within 32 ulp. The tolerance for the
+//! recovered pose follows from the measure of the group, sin(mu): a rounding error in a length
+//! moves the inner joint by L u / sin(mu), and by at most about L sqrt(u) where sin(mu) vanishes.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
 

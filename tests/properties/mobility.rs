@@ -1,9 +1,9 @@
-//! Machines of known mobility: what is too much and what is left free is planted, in any order and turned
-//! anyhow, and has to be found again, by number and by name.
+//! Tests machines of known mobility: redundant constraints and free motions, in any order and
+//! orientation, must be found by number and by name.
 //!
-//! A crank that rocks between two stops carries dyads; to these are added what repeats others (third
-//! cranks, a brace in a rigid part, a second guide) and what is free (chains of three bars, bars that
-//! hang). `KRANK_MACHINES` is how many are tried.
+//! A crank that rocks between two stops carries dyads. To these are added redundant elements (third
+//! cranks, a brace in a rigid part, a second guide) and free ones (chains of three bars, hanging
+//! bars). `KRANK_MACHINES` is the number of machines.
 
 use crate::plant::unit;
 use krank::solver::{Fault, Solver};
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 
 const MACHINES: u64 = 150;
 
-/// A sequence of numbers in 0..1 (splitmix64): the seed tells the machine.
+/// Random numbers in 0..1 (splitmix64); the seed determines the machine.
 struct Dice(u64);
 
 impl Dice {
@@ -33,29 +33,29 @@ impl Dice {
     }
 }
 
-/// A link of the plan: its points with their places, by number.
+/// A link of the plan, with its points by number.
 #[derive(Clone)]
 struct Bar {
     points: Vec<usize>,
-    /// A ram along a guide of the ground at this angle, its origin the first point.
+    /// The angle of a ground guide, for a ram whose origin is the first point.
     ram: Option<f64>,
 }
 
-/// What was planted.
+/// The known structure of a machine.
 #[derive(Default)]
 struct Plan {
     /// Places of points, and whether they are on the ground.
     points: Vec<(Vec2, bool)>,
     bars: Vec<Bar>,
-    /// Pins in slots of the ground, with the angle.
+    /// Pins in slots of the ground, with the slots' angles.
     slots: Vec<(usize, f64)>,
-    /// For everything that is one too many the elements that repeat each other: bars, and slots
-    /// behind these.
+    /// For each redundant constraint, the elements that repeat each other: bars, and slots after
+    /// the bars.
     repeating: Vec<BTreeSet<usize>>,
-    /// The bars that are free.
+    /// The bars that can move freely.
     floating: BTreeSet<usize>,
     free: usize,
-    /// What the driver cannot move, if anything.
+    /// The elements that lock the driver, if any.
     held: BTreeSet<usize>,
 }
 
@@ -75,14 +75,14 @@ impl Plan {
         self.bars.len() - 1
     }
 
-    /// A crank that rocks: a dyad that nearly reaches stops it some degrees to either side.
+    /// Creates a rocking crank: a nearly extended dyad stops it some degrees to either side.
     fn begin(dice: &mut Dice) -> (Plan, usize) {
         let mut plan = Plan::default();
         let a = plan.point(Vec2::ZERO, true);
         let pin = Vec2::new(0.2, 1.0);
         let b = plan.point(pin, false);
         plan.bar(&[a, b]);
-        // The stop: its two bars reach a little further than they must, and no further.
+        // The two bars of a stop reach only a little further than needed.
         let g = plan.point(Vec2::new(-3.0, 1.0), true);
         let bend = dice.between(0.2, 0.35);
         let c = plan.point(Vec2::new(-1.4, 1.0 + 2.0 * bend), false);
@@ -95,7 +95,7 @@ impl Plan {
         (plan, b)
     }
 
-    /// A dyad from a moving point to the ground; its inner joint.
+    /// Adds a dyad from a moving point to the ground, and returns its inner joint.
     fn dyad(&mut self, dice: &mut Dice, from: usize) -> usize {
         let at = self.points[from].0;
         let along = unit(dice.between(0.0, 360.0));
@@ -109,7 +109,7 @@ impl Plan {
         joint
     }
 
-    /// A parallelogram beside the crank AB, and further cranks, each one too many.
+    /// Adds a parallelogram next to the crank AB, and further cranks, each of which is redundant.
     fn cranks(&mut self, dice: &mut Dice, count: usize, stretch: f64) {
         let arm = self.points[1].0 - self.points[0].0;
         let mut platform = vec![1];
@@ -117,7 +117,7 @@ impl Plan {
         for k in 0..=count {
             let away = Vec2::new(2.0 + 1.3 * k as f64, dice.between(-0.6, 0.4));
             let pivot = self.point(away, true);
-            // What does not fit is held: its arm is turned and stretched at the planted pose.
+            // A last crank that does not fit locks the machine: its arm is turned and stretched.
             let off = if k == count { stretch } else { 0.0 };
             let end = away + arm + arm.perp() * off + arm * off;
             let end = self.point(end, false);
@@ -125,7 +125,7 @@ impl Plan {
             platform.push(end);
         }
         let platform = self.bar(&platform);
-        // Of all the cranks any two lead the platform.
+        // Any two of the cranks guide the platform.
         let mut set = BTreeSet::from([0, platform]);
         set.extend(cranks);
         if stretch == 0.0 {
@@ -135,7 +135,8 @@ impl Plan {
         }
     }
 
-    /// A rigid part of four joints and six bars on a moving point, led by a bar to the ground.
+    /// Adds a rigid part of four joints and six bars on a moving point, guided by a bar to the
+    /// ground.
     fn braced(&mut self, dice: &mut Dice, from: usize) {
         let at = self.points[from].0;
         let along = unit(dice.between(0.0, 360.0)) * dice.between(1.0, 2.0);
@@ -159,7 +160,7 @@ impl Plan {
         self.repeating.push(part);
     }
 
-    /// A ram along a guide, pushed by a bar, with a second pin in a slot along the same direction.
+    /// Adds a ram along a guide, pushed by a bar, with a second pin in a parallel slot.
     fn guided(&mut self, dice: &mut Dice, from: usize) {
         let angle = dice.between(0.0, 180.0);
         let along = unit(angle);
@@ -176,12 +177,12 @@ impl Plan {
         let ram = self.bars.len() - 1;
         self.slots.push((second, angle));
         let slot = SLOT + self.slots.len() - 1;
-        // The ram's own guide is the slide of its number behind the slots.
+        // The ram's own guide has the number of the ram plus an offset beyond the slots.
         self.repeating
             .push(BTreeSet::from([slot, ram, 2 * SLOT + ram]));
     }
 
-    /// Three bars from a moving point to the ground: one motion is free.
+    /// Adds three bars from a moving point to the ground, with one free motion.
     fn loose_chain(&mut self, dice: &mut Dice, from: usize) {
         let mut at = self.points[from].0;
         let mut last = from;
@@ -196,7 +197,7 @@ impl Plan {
         self.free += 1;
     }
 
-    /// A bar that hangs on a moving point.
+    /// Adds a bar that hangs on a moving point.
     fn hanging(&mut self, dice: &mut Dice, from: usize) {
         let end = self.points[from].0 + unit(dice.between(0.0, 360.0));
         let end = self.point(end, false);
@@ -243,7 +244,7 @@ impl Plan {
     }
 }
 
-/// A plan as a mechanism, shuffled and turned, with the elements of the plan's numbers.
+/// A plan as a mechanism, shuffled and rotated, with the elements of the plan's numbers.
 struct Built {
     mechanism: Mechanism,
     links: Vec<Option<LinkId>>,
@@ -289,7 +290,7 @@ impl Built {
                 None => b.link(points[ends[0]], points[ends[1]], along.norm()),
                 Some(_) => b.free_link(),
             };
-            // In the frame of the link, which lies along its first two points, or along its guide.
+            // Coordinates in the frame of the link, along its first two points or along its guide.
             let own = match bar.ram {
                 None => along / along.norm(),
                 Some(angle) => unit(angle + turn),
@@ -345,7 +346,7 @@ impl Built {
     }
 }
 
-/// Whether a link runs from this point.
+/// Checks whether a link starts at a point.
 trait FirstEnd {
     fn build_from(self, link: LinkId, point: PointId) -> bool;
 }
@@ -367,7 +368,7 @@ fn is_in(set: &[ElementId], elements: &[ElementId]) -> bool {
     elements.iter().all(|e| set.contains(e))
 }
 
-/// What is wrong with what is said of a machine.
+/// Returns the deviation of the solver's findings from the plan, if any.
 fn complaint(plan: &Plan, built: &Built) -> Option<String> {
     let planted: Vec<Vec<ElementId>> = plan.repeating.iter().map(|s| built.elements(s)).collect();
     let told = Solver::new(&built.mechanism);
@@ -403,7 +404,7 @@ fn complaint(plan: &Plan, built: &Built) -> Option<String> {
             let floating: Vec<ElementId> = floating.into_iter().map(ElementId::Link).collect();
             let floats = is_in(&free, &floating) && is_in(&floating, &free);
             let all = planted.concat();
-            // A driven link repeats nothing where what stands on it does without it.
+            // The driven link is not redundant if its dependents do without it.
             let crank = ElementId::Link(built.links[0].unwrap());
             let missing = all
                 .iter()
@@ -427,7 +428,7 @@ fn machines() -> u64 {
 }
 
 #[test]
-fn what_was_planted_is_told_by_number_and_by_name() {
+fn planted_redundancy_and_freedom_are_found_by_count_and_name() {
     let mut wrong = Vec::new();
     for seed in 0..machines() {
         let mut dice = Dice(seed);

@@ -1,12 +1,12 @@
-//! Change points planted anywhere: parallelograms, kites and slider-cranks with rod = crank, turned and
-//! moved; what must hold on them is known without a solver.
+//! Tests change points at known positions: parallelograms, kites and slider-cranks with rod =
+//! crank, rotated and translated. The exact motion is known without a solver.
 
 use crate::plant::*;
 use krank::solver::{Condition, Order, Range, Solver, State};
 use krank::{Body, Builder, Driver, Input, LinkId, PointId, Vec2};
 use proptest::prelude::*;
 
-/// Where a mechanism lies in the plan.
+/// Position and orientation of a mechanism in the plane.
 #[derive(Clone, Copy, Debug)]
 struct Place {
     turn: f64,
@@ -37,7 +37,8 @@ fn turning(link: LinkId, start: f64) -> Driver {
     }
 }
 
-/// A four-bar whose frame lies along x before it is placed, with the ends of its follower.
+/// Creates a four-bar whose frame lies along x before it is placed, with its joint and the links
+/// that meet there.
 fn four_bar(
     of: Place,
     [a, b, c, d]: [f64; 4],
@@ -67,7 +68,7 @@ fn solved(solver: &Solver, at: f64) -> State {
     state.into_state()
 }
 
-/// Angles that lie far from a change point, close to it, and on it.
+/// Returns angles far from a change point, close to it, and at it.
 fn angles(motion: &krank::solver::Motion, period: f64) -> Vec<f64> {
     let far = (0..48).map(|k| 0.3 + period * f64::from(k) / 48.0);
     let near = motion.change_points.iter().flat_map(|&at| {
@@ -78,7 +79,8 @@ fn angles(motion: &krank::solver::Motion, period: f64) -> Vec<f64> {
     far.chain(near).collect()
 }
 
-/// How far an angle is from the nearest change point, as a sine; at least that of the series' zones.
+/// Returns the distance of an angle from the nearest change point, as a sine, and at least the zone
+/// of the series.
 fn sine(motion: &krank::solver::Motion, at: f64) -> f64 {
     let off = |p: &f64| ((at - p) / 2.0).to_radians().sin().abs() * 2.0;
     motion
@@ -91,7 +93,7 @@ fn sine(motion: &krank::solver::Motion, at: f64) -> f64 {
 
 proptest! {
     #[test]
-    fn a_parallelogram_anywhere_stays_one(of in place(), crank in length(), frame in length(), start in 20.0..160.0_f64) {
+    fn parallelogram_stays_a_parallelogram_at_change_points(of in place(), crank in length(), frame in length(), start in 20.0..160.0_f64) {
         prop_assume!((crank / frame - 1.0).abs() > 0.05);
         let near = unit(start) * crank + Vec2::new(frame, 0.0);
         let (solver, joint, [coupler, follower]) = four_bar(of, [crank, frame, crank, frame], start, near);
@@ -114,7 +116,7 @@ proptest! {
 
     /// C = rho (cos, sin)(theta / 2) with rho = a cos(theta / 2) + sqrt(b^2 - a^2 sin^2(theta / 2)).
     #[test]
-    fn a_kite_anywhere_gallops(of in place(), short in length(), more in 1.1..8.0_f64, start in 30.0..330.0_f64) {
+    fn kite_follows_its_two_turn_motion(of in place(), short in length(), more in 1.1..8.0_f64, start in 30.0..330.0_f64) {
         let long = short * more;
         let joint_at = |at: f64| {
             let half = unit(at / 2.0);
@@ -134,7 +136,7 @@ proptest! {
 
     /// Rod = crank, in line: the slider keeps x = 2 r cos and passes the crank's pivot.
     #[test]
-    fn a_slider_whose_rod_is_as_long_as_its_crank_passes_the_pivot(of in place(), crank in length(), start in -70.0..70.0_f64) {
+    fn slider_with_equal_rod_and_crank_passes_the_pivot(of in place(), crank in length(), start in -70.0..70.0_f64) {
         let mut m = Builder::default();
         let pivot = m.ground_point(of.shift.x, of.shift.y);
         let (pin, slider) = (m.moving_point(), m.moving_point());
@@ -159,16 +161,16 @@ proptest! {
         }
     }
 
-    /// A limit does not depend on where the motion was opened; and it is the double next to the zero of
-    /// the dyad's reach, whose cosine is rational in the lengths.
+    /// A limit does not depend on the opening angle, and is the double closest to the zero of the
+    /// dyad's reach, whose cosine is rational in the lengths.
     #[test]
-    fn the_limits_of_a_rocker_are_those_of_the_law_of_cosines(
+    fn rocker_limits_agree_with_law_of_cosines(
         of in place(),
         lengths in [length(), length(), length(), length()],
         side in sign(),
         share in 0.1..0.9_f64,
     ) {
-        // The driven link reaches from D to C; A, B and C are in line at its limits.
+        // The driven link connects D and C; A, B and C are in line at its limits.
         let [driven, a, b, d] = lengths;
         let of = Place { shift: Vec2::ZERO, ..of };
         let angle_at = |reach: f64| {
@@ -192,7 +194,7 @@ proptest! {
             panic!("{:?}", solver.motion().range)
         };
         for (found, expected, reach) in [(found_low, low, (a - b).abs()), (found_high, high, a + b)] {
-            // d(angle) = reach d(reach) / (driven d sin): what the test's own rounding costs.
+            // d(angle) = reach d(reach) / (driven d sin): the test's own rounding error.
             let slack = 16.0 * f64::EPSILON * (reach * (a + b) + driven * driven + d * d) / (driven * d * expected.sin());
             let off = (found - of.turn).to_radians() - expected;
             prop_assert!(off.abs() <= slack + 4e-15, "{found} {expected} {off:e} {slack:e}");
@@ -202,15 +204,16 @@ proptest! {
     }
 }
 
-/// A parallelogram of cranks 1 and a frame of 3, driven where its loop couples with another: point E of
-/// its platform goes round a circle of radius 1, and G, F, E and the centre of that are a drag link.
+/// A parallelogram with cranks of 1 and a frame of 3, driven where its loop is coupled with
+/// another: point E of its platform moves on a circle of radius 1, and G, F, E and the circle's
+/// centre form a drag link.
 #[derive(Clone, Copy, Debug)]
 struct Inside {
     of: Place,
     driver: f64,
     rod: f64,
     frame: f64,
-    /// Where E is on the platform.
+    /// The position of E on the platform.
     on: Vec2,
     start: f64,
 }
@@ -236,7 +239,7 @@ fn inside() -> impl Strategy<Value = Inside> {
 }
 
 impl Inside {
-    /// The direction of the cranks of the parallelogram at an angle of the driver.
+    /// Returns the direction of the parallelogram's cranks at an angle of the driver.
     fn follower(&self, at: f64) -> Vec2 {
         let pin = unit(at) * self.driver + Vec2::new(self.frame, 0.0);
         let d2 = pin.norm2();
@@ -277,8 +280,8 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
     #[test]
-    fn a_parallelogram_inside_a_coupled_group_stays_one(inside in inside()) {
-        // Away from its change points it opens on the parallelogram.
+    fn parallelogram_in_a_coupled_group_stays_a_parallelogram(inside in inside()) {
+        // Away from its change points it opens as a parallelogram.
         prop_assume!(inside.follower(inside.start).y.abs() > 0.2);
         let (solver, platform, e) = inside.open();
         let motion = solver.motion();

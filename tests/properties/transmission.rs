@@ -1,12 +1,12 @@
-//! Extremes of transmission angles, held against the textbooks' formulas and against states.
+//! Tests the extremes of transmission angles against textbook formulas and against states.
 
 use crate::plant::*;
 use krank::solver::{Condition, Order, Range, Solver, Transmission};
 use krank::{Body, Driver, Input, LinkId, Mechanism, Vec2};
 use proptest::prelude::*;
 
-/// The angle opposite to `opposite` in a triangle with sides b and c, in degrees, by the half-angle
-/// formula: accurate also where it is small or all but straight.
+/// Returns the angle opposite to `opposite` in a triangle with sides b and c, in degrees, by the
+/// half-angle formula: accurate also if it is small or close to straight.
 fn angle_between(b: f64, c: f64, opposite: f64) -> f64 {
     let (near, far) = (
         (opposite - (b - c).abs()) * (opposite + (b - c).abs()),
@@ -32,7 +32,7 @@ fn four_bar([a, b, c, d]: [f64; 4], tilt: f64, start: f64, near: Vec2) -> (Mecha
     (m.build().unwrap(), [coupler, follower])
 }
 
-/// The inner joint of a planted four-bar, on one side.
+/// Returns the inner joint of a four-bar, on one side; `None` close to a toggle.
 fn joint([a, b, c, d]: [f64; 4], tilt: f64, start: f64, side: f64) -> Option<Vec2> {
     let (pin, far) = (unit(start) * a, unit(tilt) * d);
     let u = far - pin;
@@ -49,7 +49,7 @@ fn only(found: &[Transmission]) -> Transmission {
     }
 }
 
-/// What the angle between two links is in a state, in degrees.
+/// Returns the angle between two links in a state, in degrees.
 fn between(solver: &Solver, at: f64, [coupler, follower]: [LinkId; 2]) -> f64 {
     let mut state = solver.state();
     assert_ne!(
@@ -64,9 +64,9 @@ fn between(solver: &Solver, at: f64, [coupler, follower]: [LinkId; 2]) -> f64 {
 }
 
 proptest! {
-    /// A crank that turns fully: the extremes are where crank and frame are in line.
+    /// If the crank turns fully, the extremes are where crank and frame are in line.
     #[test]
-    fn a_crank_rocker_is_worst_in_line_with_its_frame(
+    fn crank_rocker_extremes_are_in_line_with_its_frame(
         lengths in [length(), length(), length(), length()],
         tilt in angle(),
         start in angle(),
@@ -78,7 +78,8 @@ proptest! {
         let Ok(solver) = Solver::new(&mechanism) else { return Ok(()) };
         let found = only(&solver.transmission());
         let Range::Full { .. } = solver.motion().range else {
-            // Between two dead points mu goes from 0 or 180 degrees to the same or the other.
+            // Between two dead points, mu goes from 0 or 180 degrees to the same or the other
+            // value.
             let Range::Limited { low, high } = solver.motion().range else { unreachable!() };
             prop_assert!(found.deviation() > 89.999_9, "{found:?}");
             prop_assert!((low..=high).contains(&found.smallest.at));
@@ -86,26 +87,27 @@ proptest! {
         };
         let smallest = angle_between(b, c, (d - a).abs());
         let largest = angle_between(b, c, d + a);
-        // An angle is as uncertain as the lengths over its sine.
+        // The uncertainty of an angle is that of the lengths divided by its sine.
         let slack = |mu: f64| 1e-13 * (a + b + c + d) / b.min(c) / mu.to_radians().sin().max(1e-6);
         prop_assert!((found.smallest.angle - smallest).abs() <= slack(smallest).to_degrees(), "{found:?} {smallest}");
         prop_assert!((found.largest.angle - largest).abs() <= slack(largest).to_degrees(), "{found:?} {largest}");
-        // And there they are: mu is flat at its extremes, so that places are told by their angles.
+        // The states at the extremes have these angles; mu is flat there, so that positions are
+        // checked by their angles.
         for extreme in [found.smallest, found.largest] {
             prop_assert!((0.0..360.0).contains(&extreme.at));
             let there = between(&solver, extreme.at, links);
             prop_assert!((there - extreme.angle).abs() <= 1e-12 + slack(there).to_degrees(), "{there} {extreme:?}");
         }
         let off = |at: f64, to: f64| ((at - to + 180.0).rem_euclid(360.0) - 180.0).abs();
-        // The distance of the pivots turns back with the curvature a d / |d -+ a|.
+        // The distance of the pivots has the curvature a d / |d -+ a| at its extremes.
         let blur = 1e-11 * (a + b + c + d).powi(2) / (a * d);
         prop_assert!(off(found.smallest.at, tilt) <= blur, "{found:?} {tilt}");
         prop_assert!(off(found.largest.at, tilt + 180.0) <= blur, "{found:?} {tilt}");
     }
 
-    /// sin(90 deg - mu) = (crank + offset) / rod, where the pin is furthest from the guide.
+    /// sin(90 deg - mu) = (crank + offset) / rod, where the pin is farthest from the guide.
     #[test]
-    fn a_slider_crank_is_worst_where_its_pin_is_furthest_from_the_guide(
+    fn slider_crank_minimum_is_where_its_pin_is_farthest_from_guide(
         crank in length(),
         offset in length(),
         more in 1.01..20.0_f64,
@@ -125,14 +127,14 @@ proptest! {
         let found = only(&solver.transmission());
         let expected = ((crank + offset) / rod).acos().to_degrees();
         prop_assert!((found.smallest.angle - expected).abs() < 1e-10 / (1.0 - 1.0 / more).sqrt(), "{found:?} {expected}");
-        // With the pin on the level of the guide the rod lies along it.
+        // With the pin on the guide's line, the rod lies along the guide.
         let largest = if offset <= crank { 90.0 } else { ((offset - crank) / rod).acos().to_degrees() };
         prop_assert!((found.largest.angle - largest).abs() < 1e-10, "{found:?} {largest}");
     }
 
-    /// Of a second dyad no formula is known: no state has an angle outside the two extremes.
+    /// There is no formula for the second dyad: no state has an angle outside the two extremes.
     #[test]
-    fn no_state_of_a_six_bar_is_beyond_the_extremes(
+    fn six_bar_states_stay_within_extremes(
         arms in [0.8..6.0_f64, 0.8..6.0_f64],
         far in [4.0..9.0_f64, -2.0..3.0_f64],
         side in sign(),
@@ -158,7 +160,7 @@ proptest! {
         for k in 0..=2000 {
             let at = low + (high - low) * f64::from(k) / 2000.0;
             let mu = between(&solver, at.min(high), links);
-            // Beside a limit the root of the rounding tells.
+            // Near a limit, the error is the square root of the rounding error.
             prop_assert!(mu > found[1].smallest.angle - 1e-5, "{mu} {:?}", found[1]);
             prop_assert!(mu < found[1].largest.angle + 1e-5, "{mu} {:?}", found[1]);
         }

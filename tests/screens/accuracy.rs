@@ -1,10 +1,10 @@
-//! The accuracy view: speed against error, measured while everything else goes on.
+//! Tests the accuracy view: time against error, measured in the background.
 
 use crate::screen::{preset, timed};
 use krank::drawing::Glyphs;
 use std::time::Duration;
 
-/// The screen with the digits of errors masked: rounding may change with a formula.
+/// Masks the digits of errors, because rounding may change with a formula.
 fn without_errors(screen: &str) -> String {
     let mut masked = String::new();
     let mut rest = screen;
@@ -25,7 +25,7 @@ fn without_errors(screen: &str) -> String {
     masked + rest
 }
 
-/// The list of methods without the chart beside it.
+/// Returns the list of methods without the chart next to it.
 fn list_of_methods(screen: &str) -> String {
     let lines = screen.lines().skip(1).take(22);
     let list = lines.map(|line| line.chars().skip(40).collect::<String>());
@@ -33,7 +33,7 @@ fn list_of_methods(screen: &str) -> String {
 }
 
 #[test]
-fn measures_speed_against_error_while_keys_stay_live() {
+fn accuracy_study_leaves_keys_live_and_stops_on_esc() {
     let mut session = timed(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let line = session.press("4").last_line();
     assert!(
@@ -41,7 +41,7 @@ fn measures_speed_against_error_while_keys_stay_live() {
         "{line}"
     );
     assert!(line.contains("Esc stop"), "{line}");
-    // A study is no reason to wait: everything else goes on.
+    // Other views stay usable during a study.
     assert!(session.press("1").last_line().contains("60.00 deg  ok"));
     assert!(session.press(".").last_line().contains("65.00 deg  ok"));
     session.press("4");
@@ -68,7 +68,7 @@ fn measures_speed_against_error_while_keys_stay_live() {
 }
 
 #[test]
-fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
+fn next_scene_restarts_study_and_small_screen_scrolls() {
     let mut session = timed(preset("stephenson-six-bar"), Glyphs::Ascii, 40, 12);
     session.press("4");
     for _ in 0..1200 {
@@ -90,7 +90,7 @@ fn another_scene_is_measured_anew_and_the_smallest_screen_scrolls() {
 }
 
 #[test]
-fn a_method_is_watched_in_the_place_of_the_study() {
+fn m_key_steps_through_methods_and_esc_returns_to_study() {
     let mut session = timed(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("4");
     let screen = session.press("m").look();
@@ -104,14 +104,14 @@ fn a_method_is_watched_in_the_place_of_the_study() {
     assert!(line.contains("m method  Esc back"), "{line}");
     let below = session.press("End").look();
     assert!(below.contains("to the assembly of this motion"), "{below}");
-    // The guess stays where the scene opens: a step of the driver is one away from it.
+    // The guess stays at the opening state: stepping the driver moves the state away from it.
     let before = session.press("Home").look();
     assert_ne!(session.press(".").look(), before);
     assert!(session.press("m").look().contains("1 Bisection"));
     let drawing = session.press("m").look();
     assert!(drawing.contains("1 By compass and ruler"), "{drawing}");
     assert!(!drawing.contains("error over"), "{drawing}");
-    // Behind the last one, and by Esc, the study stands again; Esc once more stops that.
+    // After the last method, and on Esc, the study returns; another Esc stops it.
     assert!(session.press("m").look().contains("closed form"));
     assert!(session.press("m Esc").look().contains("closed form"));
     assert!(session.last_line().contains("measuring"));
@@ -119,7 +119,7 @@ fn a_method_is_watched_in_the_place_of_the_study() {
 }
 
 #[test]
-fn a_method_begins_at_the_guess_that_is_typed() {
+fn method_starts_from_typed_guess() {
     let mut session = timed(preset("four-bar"), Glyphs::Ascii, 120, 40);
     let line = session.press("4 Enter").last_line();
     assert!(line.contains("press m for the first"), "{line}");
@@ -129,7 +129,7 @@ fn a_method_begins_at_the_guess_that_is_typed() {
         line.contains("r3=20, r4=280") && line.contains("Esc cancel"),
         "{line}"
     );
-    // A guess that is none is said, and what was typed can be mended.
+    // An invalid guess is reported and can be corrected.
     let line = session.type_in("r3=20, r9=280").press("Enter").last_line();
     assert!(line.contains("no vector is named `r9`"), "{line}");
     let guessed = session
@@ -139,13 +139,13 @@ fn a_method_begins_at_the_guess_that_is_typed() {
         .look();
     assert!(guessed.contains("From the guess"), "{guessed}");
     assert!(guessed.contains("30.0538  289.934"), "{guessed}");
-    // It stays while the driver turns and the scene is edited, and stands in the line when that is opened again.
+    // The guess survives driver steps and edits, and the prompt proposes it again.
     assert!(session.press(".").look().contains("From the guess"));
     let line = session.press("Enter").last_line();
     assert!(line.contains("r3=20, r4=280"), "{line}");
     let again = session.press("Ctrl-U Enter").press(",").look();
     assert_eq!(again, sketch);
-    // An interval is for halving, where it is taken; the drawing takes none.
+    // Only bisection accepts an interval; the graphical method takes no guess.
     let line = session
         .press("Enter")
         .type_in("r3=0..90")
@@ -163,7 +163,7 @@ fn a_method_begins_at_the_guess_that_is_typed() {
 }
 
 #[test]
-fn a_watched_method_has_room_on_every_screen() {
+fn method_view_fits_every_screen_size() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let mut session = timed(preset("press"), Glyphs::Ascii, cols, rows);
         session.press("4");

@@ -1,4 +1,4 @@
-//! The other assemblies: listed, taken, and saved.
+//! Tests the other assemblies of a scene: listing, choosing and saving them.
 
 use crate::claims::{assert_only_a_ghost_is_added, assert_told, drawing};
 use crate::screen::{Session, open, preset};
@@ -10,9 +10,9 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     Session::new(preset("four-bar"), glyphs, cols, rows)
 }
 
-/// The other assemblies: listed in the place of the tables, and drawn in points.
+/// The list replaces the tables, and the ghosts consist of dots.
 #[test]
-fn shows_the_other_assemblies_as_ghosts() {
+fn other_assemblies_are_listed_and_drawn_as_ghosts() {
     let screen = four_bar(Glyphs::Ascii, 80, 24).press("a").look();
     insta::assert_snapshot!("assemblies-ascii-80x24", screen);
     let mut coupled = Session::new(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
@@ -33,9 +33,9 @@ fn shows_the_other_assemblies_as_ghosts() {
     assert!(points >= 4, "{}", tiny.body());
 }
 
-/// A ghost lies below everything: nothing of the linkage moves, or is painted over.
+/// A ghost is drawn below everything: no part of the linkage moves or is painted over.
 #[test]
-fn a_ghost_adds_points_and_nothing_else() {
+fn ghost_adds_only_dots_to_drawing() {
     for (name, keys) in [("four-bar", "a"), ("stephenson-six-bar", "a Up")] {
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             let mut session = Session::new(preset(name), glyphs, 80, 24);
@@ -50,7 +50,7 @@ fn a_ghost_adds_points_and_nothing_else() {
 }
 
 #[test]
-fn an_assembly_is_taken_and_stays() {
+fn chosen_assembly_persists_over_a_full_turn() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     let before = session.look();
     let closed = session.press("a Esc").look();
@@ -63,13 +63,13 @@ fn an_assembly_is_taken_and_stays() {
     session.press("space").pass(4.0).press("space g 6 0 Enter");
     let later = session.look();
     assert!(later.contains("302.825"), "{later}");
-    // The list now has the cursor on the other one: back again.
+    // The cursor is now on the other assembly, so that Enter switches back.
     let again = session.press("a Enter").look();
     assert!(again.contains("29.379"), "{again}");
 }
 
 #[test]
-fn what_does_not_close_is_not_taken() {
+fn open_assembly_is_rejected() {
     let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
     let screen = session.press("a Up Up Up").look();
     let row = screen.lines().find(|l| l.contains(" C - ")).unwrap();
@@ -82,7 +82,7 @@ fn what_does_not_close_is_not_taken() {
 }
 
 #[test]
-fn an_assembly_is_saved() {
+fn assembly_change_is_saved_to_file() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("saving");
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).unwrap();
@@ -101,7 +101,7 @@ fn an_assembly_is_saved() {
         saved.contains("# rough\n[start]\nC = [212.622, -165.497]"),
         "{saved}"
     );
-    // Once more, with what is in the file now; and not where somebody has changed it meanwhile.
+    // A second save uses the file's present text, but never overwrites another program's changes.
     let line = session.press("a Enter w").last_line();
     assert!(line.contains("written to "), "{line}");
     std::fs::write(&file, text.replace("15 rad/s", "16 rad/s")).unwrap();
@@ -111,7 +111,7 @@ fn an_assembly_is_saved() {
 }
 
 #[test]
-fn a_preset_is_saved_under_a_name_that_is_typed() {
+fn preset_is_saved_under_typed_name() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     let line = session.press("w").last_line();
     assert!(line.contains("write to: four-bar.toml"), "{line}");
@@ -124,10 +124,10 @@ fn a_preset_is_saved_under_a_name_that_is_typed() {
     let line = session.press("Enter").last_line();
     assert!(line.contains("written to "), "{line}");
     assert!(std::fs::read_to_string(&file).unwrap().contains("[start]"));
-    // It is the scene's own file now.
+    // The new file now belongs to the scene.
     let line = session.press("w").last_line();
     assert!(line.contains("no changes to save"), "{line}");
-    // Another scene does not write over it unasked.
+    // Another scene asks before it overwrites this file.
     let mut other = Session::new(preset("press"), Glyphs::Ascii, 40, 12);
     other.press("w Ctrl-U").press(&keys.join(" "));
     let screen = other.press("Enter").look();

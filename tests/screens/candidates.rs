@@ -1,4 +1,4 @@
-//! The linkages for a task in the workbench, driven by keys: listed, drawn on their way, and one taken.
+//! Tests the candidate linkages of a task, driven by keys: listing, moving and taking them.
 
 use crate::claims::{assert_told, said};
 use crate::screen::{SCREENS, Session, folder, preset, text};
@@ -7,7 +7,7 @@ use krank::task_file::{ExampleTask, TaskFile};
 use krank::tui::{Colours, TaskOrder, Workbench};
 use std::fs;
 
-/// Four places of a body: its pivots lie on curves.
+/// Four poses of a body: its possible pivots lie on curves.
 const FOUR_POSES: &str = "\
 kind  = \"poses\"
 poses = [[0, 0, 0], [-5.5, 55.5, -20.1], [-75.3, 83.9, -27.1], [-165.9, 73.9, -28.2]]
@@ -17,7 +17,7 @@ fn order(text: &str, name: &str) -> TaskOrder {
     TaskOrder::new(TaskFile::parse(text, name).unwrap(), name.to_owned())
 }
 
-/// The four-bar, and over it the linkages for an example.
+/// Opens the four-bar with the candidates of an example task above it.
 fn looking_for(example: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let text = ExampleTask::find(example).unwrap().text;
     coloured(&order(text, example), glyphs, Colours::Sixteen, cols, rows)
@@ -28,7 +28,7 @@ fn coloured(task: &TaskOrder, glyphs: Glyphs, colours: Colours, cols: u16, rows:
     Session::on(workbench.synthesizing(task.clone()), cols, rows)
 }
 
-/// The screen without the digits of what is mere rounding.
+/// Masks numbers that are only rounding errors.
 fn masked(screen: &str) -> String {
     let rounding = |word: &str| word.contains("e-1") && word.parse::<f64>().is_ok();
     let mask = |word: &str| match rounding(word) {
@@ -40,7 +40,7 @@ fn masked(screen: &str) -> String {
 }
 
 #[test]
-fn candidates_stand_beside_what_they_do() {
+fn candidates_are_listed_with_their_results() {
     for (name, glyphs, cols, rows) in SCREENS {
         let screen = masked(&looking_for("hatch", glyphs, cols, rows).look());
         assert_told(
@@ -59,7 +59,7 @@ fn candidates_stand_beside_what_they_do() {
 }
 
 #[test]
-fn a_candidate_is_moved_over_its_task() {
+fn candidate_steps_and_plays_through_task_points() {
     let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
     let first = session.look();
     assert!(said(&first).contains("point 1 of 5, crank at"), "{first}");
@@ -67,21 +67,21 @@ fn a_candidate_is_moved_over_its_task() {
     assert!(said(&second).contains("point 2 of 5, crank at"), "{second}");
     assert_ne!(first, second);
     assert_eq!(session.press("Left").look(), first);
-    // It goes to the last point and comes back; the list below it does not wait for the crank of the open scene.
+    // Playing runs to the last point and back, independent of the open scene's crank.
     session.press("space").pass(3.2);
     let last = session.look();
     assert!(said(&last).contains("point 5 of 5, crank at"), "{last}");
     assert!(last.contains("space pause"), "{last}");
     session.pass(3.2);
     assert_eq!(session.press("space").look(), first);
-    // The next candidate begins at its first point.
+    // The next candidate starts at its first point.
     let next = session.press("Right Down").look();
     assert!(said(&next).contains("point 1 of 5"), "{next}");
     assert_told(&next, &["> 2"]);
 }
 
 #[test]
-fn a_defective_one_says_why_and_is_not_taken() {
+fn defective_candidate_explains_its_defect_and_is_rejected() {
     let why = "branch: a dead point lies between points 1 and 2";
     for (cols, rows) in [(80, 24), (40, 12)] {
         let mut session = looking_for("hatch", Glyphs::Ascii, cols, rows);
@@ -98,7 +98,7 @@ fn a_defective_one_says_why_and_is_not_taken() {
 }
 
 #[test]
-fn one_is_taken_as_a_new_scene_and_the_others_are_found_again() {
+fn taken_candidate_becomes_scene_and_list_stays_reachable() {
     let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
     let screen = session.press("Down Enter").look();
     assert_told(&screen, &["hatch-2*"]);
@@ -108,13 +108,13 @@ fn one_is_taken_as_a_new_scene_and_the_others_are_found_again() {
     assert_told(&list, &["> Linkages for hatch"]);
     let again = session.press("Enter").look();
     assert_told(&again, &["4 found, 2 defective", "> 2"]);
-    // The scene below is the one that was taken.
+    // The scene below the list is the one taken.
     assert_told(&session.press("Esc").look(), &["hatch-2*"]);
 }
 
-/// No file holds what was taken: whoever leaves it is asked, be it for another scene, or for good.
+/// A taken candidate is in no file yet, so both quitting and opening another scene ask.
 #[test]
-fn one_that_was_taken_is_not_lost_unasked() {
+fn leaving_unsaved_candidate_asks_first() {
     let file = folder("candidates-taken").join("hatch.toml");
     let mut session = looking_for("hatch", Glyphs::Ascii, 80, 24);
     session.press("Enter");
@@ -126,7 +126,7 @@ fn one_that_was_taken_is_not_lost_unasked() {
         session.press("Esc");
         assert!(session.last_line().contains("hatch-1*"));
     }
-    // Another of the same list loses none; one that was edited is asked about.
+    // Taking another candidate of the same list does not ask; an edited candidate does.
     session.press("o Home Enter Down Enter");
     assert!(session.last_line().contains("hatch-2*"));
     session.press("6 >").press("o Home Enter Home Enter");
@@ -138,9 +138,8 @@ fn one_that_was_taken_is_not_lost_unasked() {
     assert!(written.contains("Hatch, candidate 2"), "{written}");
 }
 
-/// What is edited is asked about before a candidate takes its place.
 #[test]
-fn edits_of_the_open_scene_are_not_lost() {
+fn taking_candidate_asks_about_unsaved_edits() {
     let folder = folder("candidates-edited");
     fs::write(
         folder.join("hatch.toml"),
@@ -175,7 +174,7 @@ fn opened_in(folder: &std::path::Path, glyphs: Glyphs) -> Session {
 }
 
 #[test]
-fn a_task_among_the_files_is_opened_as_one() {
+fn picker_opens_task_files_as_tasks() {
     let folder = folder("candidates-files");
     fs::write(folder.join("mine.toml"), text("four-bar")).unwrap();
     fs::write(folder.join("places.toml"), FOUR_POSES).unwrap();
@@ -190,19 +189,19 @@ fn a_task_among_the_files_is_opened_as_one() {
         "{told}\n{screen}"
     );
     assert_told(&session.press("Enter").look(), &["Linkages for places"]);
-    // One with a fault says it as a scene does.
+    // A faulty task reports its error as a scene does.
     session.press("Esc o").type_in("twice");
     assert_told(&session.look(), &["cannot be opened"]);
-    // It is nothing to be held against a scene, and is not offered for that.
+    // A task cannot be compared with a scene, so the comparison list omits it.
     let screen = session.press("Esc D").type_in("places").look();
     assert!(!screen.contains("places.toml"), "{screen}");
     let screen = session.press("Ctrl-U").type_in("other").look();
     assert!(screen.contains("other.toml"), "{screen}");
 }
 
-/// What is taken of a task in a file is offered a name beside that.
+/// The proposed name lies in the folder of the task file.
 #[test]
-fn one_that_was_taken_is_saved_beside_its_task() {
+fn candidate_is_saved_next_to_its_task_file() {
     let folder = folder("candidates-beside");
     let task = ExampleTask::find("hatch").unwrap().text;
     fs::write(folder.join("hatch.toml"), task).unwrap();
@@ -215,9 +214,9 @@ fn one_that_was_taken_is_saved_beside_its_task() {
     assert!(folder.join("hatch-1.toml").exists());
 }
 
-/// Where pivots may stand is drawn: dots from one side of the drawing to the other.
+/// Possible pivots are drawn as dots across the whole drawing.
 #[test]
-fn four_poses_leave_curves() {
+fn four_poses_draw_curves_of_possible_pivots() {
     let dots = |text: &str| {
         let task = order(text, "places");
         let screen = coloured(&task, Glyphs::Ascii, Colours::None, 120, 40).look();
@@ -233,7 +232,7 @@ fn four_poses_leave_curves() {
 }
 
 #[test]
-fn without_colours_the_same_is_told() {
+fn candidates_show_same_text_without_colours() {
     let task = order(ExampleTask::find("logarithm").unwrap().text, "logarithm");
     let mut plain = coloured(&task, Glyphs::Ascii, Colours::None, 80, 24);
     let english = plain.look();

@@ -1,15 +1,16 @@
-//! What is claimed of a screen: which words and figures it tells, and what of it differs from another.
-//! A picture of a whole screen is for its look; what a test is about is said by these.
+//! Assertions about screens: the words and numbers they contain, and differences between two
+//! screens.
+//! Snapshots cover the layout of a whole screen; these helpers check what a test is about.
 
 use std::collections::BTreeSet;
 
-/// The words of a line or of a whole screen, one blank between them.
+/// Collapses runs of white space to single blanks.
 pub(crate) fn said(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// These words stand on the screen, each group in one line with whatever room between them, and none above
-/// the one before.
+/// Asserts that the screen contains these groups of words, each within one line with any spacing,
+/// and none above its predecessor.
 #[track_caller]
 pub(crate) fn assert_told(screen: &str, told: &[&str]) {
     let lines: Vec<String> = screen.lines().map(said).collect();
@@ -25,7 +26,7 @@ pub(crate) fn assert_told(screen: &str, told: &[&str]) {
     }
 }
 
-/// A screen of lines as plain characters have it.
+/// Replaces line-drawing characters by their ASCII counterparts.
 pub(crate) fn spelled(screen: &str) -> String {
     let plain = [
         ("─", "-"),
@@ -43,17 +44,17 @@ pub(crate) fn spelled(screen: &str) -> String {
     plain.iter().fold(screen.to_owned(), replace)
 }
 
-/// The numbers of a screen, as they are written.
+/// Returns the numbers of a screen, as written.
 pub(crate) fn figures(screen: &str) -> BTreeSet<String> {
-    // The zero line of a chart may touch them.
+    // The zero line of a chart may touch a number.
     let bare = |word: &str| word.trim_matches(['[', ']', '*', '·', '.']).to_owned();
-    // A cursor's bracket may touch the next figure.
+    // A cursor's bracket may touch the next number.
     let apart = |c: char| c.is_whitespace() || c == '[' || c == ']';
     let words = screen.split(apart).map(bare);
     words.filter(|word| word.parse::<f64>().is_ok()).collect()
 }
 
-/// The cells of a screen, blank where a row ends early.
+/// Splits a screen into cells, padding short rows with blanks.
 pub(crate) fn cells(screen: &str) -> Vec<Vec<char>> {
     let width = screen.lines().map(|line| line.chars().count()).max();
     let width = width.unwrap_or(0);
@@ -66,7 +67,7 @@ pub(crate) fn cells(screen: &str) -> Vec<Vec<char>> {
     screen.lines().map(row).collect()
 }
 
-/// Where one of these characters stands, by row and column.
+/// Returns the rows and columns of these characters.
 pub(crate) fn places(cells: &[Vec<char>], of: &[char]) -> Vec<(usize, usize)> {
     let rows = cells.iter().enumerate();
     let all =
@@ -75,7 +76,8 @@ pub(crate) fn places(cells: &[Vec<char>], of: &[char]) -> Vec<(usize, usize)> {
     found.map(|(row, col, _)| (row, col)).collect()
 }
 
-/// Where two screens of one size differ: row, column, and what is there before and after.
+/// Returns the differences of two screens of one size: row, column, and the characters before and
+/// after.
 pub(crate) fn differences(before: &str, after: &str) -> Vec<(usize, usize, char, char)> {
     let (before, after) = (cells(before), cells(after));
     assert_eq!(before.len(), after.len());
@@ -92,14 +94,14 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<(usize, usize, char,
     found
 }
 
-/// The drawing of a motion view: what stands left of the bar that parts it from the tables, or above them; its title
-/// is blank.
+/// Returns the drawing of a motion view: the part left of the bar before the tables, or above the
+/// tables. The title row is blank.
 pub(crate) fn drawing(body: &str) -> String {
     let all = cells(body);
     let width = all.first().map_or(0, Vec::len);
     let bar = (20..width).find(|col| all.iter().all(|row| BARS.contains(&row[*col])));
     let left = |row: &[char]| row[..bar.unwrap_or(width)].iter().collect::<String>() + "\n";
-    // A table, or a list of assemblies with their places.
+    // Matches a table, or a list of assemblies with their coordinates.
     let below = |line: &String| {
         let begins = [
             " vector ",
@@ -127,11 +129,11 @@ pub(crate) fn drawing(body: &str) -> String {
         .collect()
 }
 
-/// What parts two panes, and where titles meet it.
+/// Characters of the bar between two panes, and of its junctions with titles.
 const BARS: [char; 5] = ['|', '│', '┬', '┤', '+'];
 
-/// Only points have come to a drawing, where nothing was; in dots of Braille, beside those that were.
-/// A name may make room for them, and the window may have moved. How many cells have changed.
+/// Asserts that a ghost only adds dots to blank cells, or Braille dots to dotted cells. Names may
+/// give way to dots, and the window may have moved. Returns the number of changed cells.
 #[track_caller]
 pub(crate) fn assert_only_a_ghost_is_added(alone: &str, with: &str) -> usize {
     let (before, after) = (cells(alone), cells(with));
@@ -162,8 +164,8 @@ pub(crate) fn assert_only_a_ghost_is_added(alone: &str, with: &str) -> usize {
     changed
 }
 
-/// What is drawn through these cells in characters is drawn in dots through the same ones, or those next
-/// to them: points of a ghost stand farther apart than cells do.
+/// Asserts that Braille dots lie in or next to each of these cells, where characters draw the same
+/// curve. Dots of a ghost lie farther apart than cells.
 #[track_caller]
 pub(crate) fn assert_dotted(through: &[(usize, usize)], dotted: &str) {
     let drawn = cells(dotted);
@@ -184,7 +186,7 @@ pub(crate) fn assert_dotted(through: &[(usize, usize)], dotted: &str) {
     }
 }
 
-/// The left or the right part of a screen with a bar between two panes.
+/// Returns the left or the right part of a screen with a bar between two panes.
 pub(crate) fn pane(screen: &str, right: bool) -> String {
     let part = |line: &str| {
         let (left, other) = line.split_once(['|', '│']).unwrap_or((line, ""));
@@ -193,7 +195,7 @@ pub(crate) fn pane(screen: &str, right: bool) -> String {
     screen.lines().map(part).collect()
 }
 
-/// What dots of Braille a character has.
+/// Returns the Braille dots of a character as bits.
 fn dots(c: char) -> Option<u32> {
     u32::from(c).checked_sub(0x2800).filter(|dots| *dots < 256)
 }

@@ -1,4 +1,5 @@
-//! A second scene beside the open one: its ghost in the drawing, and what the figures differ by.
+//! Tests the comparison with a second scene: its ghost in the drawing and the differences of
+//! values.
 
 use crate::claims::{
     assert_dotted, assert_only_a_ghost_is_added, assert_told, cells, drawing, places, said,
@@ -8,12 +9,12 @@ use krank::drawing::Glyphs;
 use krank::tui::Origin;
 use std::fs;
 
-/// The four-bar with a crank of 101 mm.
+/// Returns the four-bar with a crank of 101 mm.
 fn longer() -> String {
     text("four-bar").replace("length = 100", "length = 101")
 }
 
-/// The four-bar in inches, as large as it is in millimetres.
+/// Returns the four-bar in inches, of the same size as in millimetres.
 fn in_inches() -> String {
     let mut text = text("four-bar").replace("\"mm\"", "\"in\"");
     for length in ["400", "100", "300", "250", "150", "125", "310", "230"] {
@@ -26,7 +27,7 @@ fn in_inches() -> String {
     text
 }
 
-/// The four-bar, with scenes to compare it with in its folder.
+/// Opens the four-bar in a folder with other scenes to compare it with.
 pub(crate) fn beside(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let folder = folder(test);
     let shorter = text("four-bar").replace("length = 300", "length = 220");
@@ -42,7 +43,7 @@ pub(crate) fn beside(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Sessio
     Session::new(open(text("four-bar"), origin), glyphs, cols, rows)
 }
 
-/// The words of the first line that begins with this one.
+/// Returns the words of the first line that begins with this name.
 fn row(screen: &str, name: &str) -> Vec<String> {
     let lines = screen
         .lines()
@@ -57,7 +58,7 @@ fn row(screen: &str, name: &str) -> Vec<String> {
         .collect()
 }
 
-/// The four-bar beside one whose coupler is shorter.
+/// Opens the four-bar, compared with a four-bar whose coupler is shorter.
 fn beside_shorter(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let mut session = beside(test, glyphs, cols, rows);
     session.press("D").type_in("shorter").press("Enter");
@@ -65,7 +66,7 @@ fn beside_shorter(test: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn a_ghost_stands_beside_the_linkage() {
+fn compared_scene_is_drawn_as_ghost() {
     let mut plain = String::new();
     for (name, glyphs, cols, rows) in SCREENS {
         let alone = drawing(&beside(name, glyphs, cols, rows).body());
@@ -86,7 +87,7 @@ fn a_ghost_stands_beside_the_linkage() {
         if glyphs == Glyphs::Ascii {
             plain.clone_from(&drawn);
         }
-        // Every screen of dots follows that of characters of its size.
+        // Each Braille screen shows the ghost of the ASCII screen of its size.
         let ghost = places(&cells(&plain), &['.']);
         let least = if cols == 40 { 2 } else { 4 };
         assert!(ghost.len() >= least, "{plain}");
@@ -99,7 +100,7 @@ fn a_ghost_stands_beside_the_linkage() {
                 "{screen}"
             );
         } else {
-            // The window makes room for what the other needs: the figure is a little smaller or larger.
+            // The window fits both linkages, so that the drawing's scale changes slightly.
             for name in ['A', 'B', 'C', 'D'] {
                 assert_eq!(places(&cells(&drawn), &[name]).len(), 1, "{screen}");
             }
@@ -108,7 +109,7 @@ fn a_ghost_stands_beside_the_linkage() {
 }
 
 #[test]
-fn differences_stand_where_figures_stood() {
+fn tables_show_differences_in_place_of_values() {
     for (name, glyphs, cols, rows) in SCREENS {
         let mut session = beside_shorter(&format!("tables-{name}"), glyphs, cols, rows);
         let screen = session.press(if cols > 100 { "2 O" } else { "2" }).look();
@@ -138,9 +139,10 @@ fn differences_stand_where_figures_stood() {
     }
 }
 
-/// B lies at 101 (cos 60, sin 60) deg there, and at 100 here; it moves at 15 rad/s.
+/// B lies at 101 (cos 60, sin 60) deg in the other scene and at 100 (cos 60, sin 60) deg in this
+/// one, and moves at 15 rad/s.
 #[test]
-fn differences_are_those_of_the_figures() {
+fn differences_equal_hand_computed_values() {
     let mut session = beside("numbers", Glyphs::Ascii, 100, 40);
     let screen = session.press("2 D").type_in("longer").press("Enter").look();
     assert!(
@@ -154,13 +156,13 @@ fn differences_are_those_of_the_figures() {
         b[1..6],
         ["-0.50000", "-0.86603", "12.9904", "-7.5000", "-15.0000"]
     );
-    // It goes where the driver goes: B is at 90 deg now.
+    // Differences follow the driver: B is at 90 deg now.
     let screen = session.press("g 9 0 Enter").look();
     assert_eq!(
         row(&screen, "B")[1..6],
         ["0.00000", "-1.00000", "15.0000", "0.0000", "-15.0000"]
     );
-    // And the other way round, with the other sign.
+    // Comparing the other way round inverts the signs.
     let screen = session.press("D o").type_in("longer").press("Enter").look();
     assert!(!screen.contains("compared with"), "{screen}");
     let origin = Origin::File(folder("numbers-back").join("longer.toml"));
@@ -171,7 +173,7 @@ fn differences_are_those_of_the_figures() {
 }
 
 #[test]
-fn another_unit_is_converted() {
+fn differences_convert_units() {
     let mut session = beside("units", Glyphs::Ascii, 100, 40);
     session.press("D").type_in("inches").press("Enter");
     let tables = session.press("2").look();
@@ -184,12 +186,12 @@ fn another_unit_is_converted() {
 }
 
 #[test]
-fn rows_without_partner_say_so() {
+fn rows_without_counterpart_are_marked() {
     let mut session = beside("partners", Glyphs::Ascii, 100, 40);
     let screen = session.press("2 D").type_in("press").press("Enter").look();
     assert_eq!(row(&screen, "r2.com")[1..], ["only", "here"]);
     assert!(screen.contains("only there: r5"), "{screen}");
-    // Rates differ by the speeds of the drivers too, which is said.
+    // Rates also differ through the drivers' speeds, which the screen names.
     let screen = session
         .press("D D")
         .type_in("slider-crank")
@@ -199,7 +201,7 @@ fn rows_without_partner_say_so() {
 }
 
 #[test]
-fn where_the_other_has_no_assembly_it_says_so() {
+fn missing_assembly_of_compared_scene_is_reported() {
     let mut session = beside("nowhere", Glyphs::Ascii, 80, 24);
     session.press("g 1 8 0 Enter");
     let screen = session.press("D").type_in("shorter").press("Enter").look();
@@ -210,34 +212,34 @@ fn where_the_other_has_no_assembly_it_says_so() {
         "{screen}"
     );
     assert_told(&screen, &["| r3 80.0000 -"]);
-    // It comes back where it can be.
+    // The ghost returns where the other scene has an assembly.
     let screen = session.press("Home").look();
     assert!(!screen.contains("no assembly"), "{screen}");
 }
 
 #[test]
-fn a_slide_and_a_link_have_no_coordinate_in_common() {
+fn comparison_rejects_different_kinds_of_driver() {
     let mut session = beside("refused", Glyphs::Ascii, 120, 40);
     let before = session.look();
     let screen = session.press("D").type_in("scissor").press("Enter").look();
     let told = "scissor-lift is driven by a slide, this scene by a link that turns";
     assert!(said(&screen).contains(told), "{screen}");
-    // The list stays for another choice.
+    // The list stays open for another choice.
     let line = session.last_line();
     assert!(line.starts_with(" compare "), "{line}");
     assert_eq!(session.press("Esc").look(), before);
 }
 
 #[test]
-fn it_ends_by_its_key_and_with_the_scene() {
+fn comparison_ends_by_key_and_on_scene_change() {
     let mut session = beside("ends", Glyphs::Ascii, 80, 24);
     let before = session.look();
     session.press("D").type_in("longer").press("Enter");
     assert!(session.look().contains("compared with longer"));
     assert!(session.press("D").last_line().contains("comparison ended"));
-    // The message goes with the next key.
+    // The next key clears the message.
     assert_eq!(session.press("Esc").look(), before);
-    // What was compared last is under the cursor: to and fro takes two keys.
+    // The cursor is on the scene compared last, so that toggling takes two keys.
     let again = session.press("D").look();
     assert!(again.contains("> longer.toml"), "{again}");
     assert!(
@@ -249,9 +251,9 @@ fn it_ends_by_its_key_and_with_the_scene() {
     assert!(!session.press("n").look().contains("compared with"));
 }
 
-/// Whatever is compared with whatever, at whatever size: nothing breaks.
+/// No pair of presets breaks the workbench.
 #[test]
-fn every_preset_stands_beside_every_other() {
+fn every_preset_compares_with_every_other() {
     let presets = krank::scene::presets::all();
     let mut compared = 0;
     for this in presets.iter().step_by(3) {
@@ -260,7 +262,7 @@ fn every_preset_stands_beside_every_other() {
         for other in presets {
             session.press("D").type_in(other.name);
             if other.name == this.name {
-                // Nothing is compared with itself.
+                // The list omits the open scene itself.
                 let screen = session.look();
                 assert!(!screen.contains(&format!("> {} ", other.name)), "{screen}");
                 session.press("Esc");
@@ -269,10 +271,10 @@ fn every_preset_stands_beside_every_other() {
             session.press("Enter");
             let screen = session.look();
             let title = screen.lines().nth(1).unwrap();
-            // The end of a long title is cut.
+            // Long titles are truncated.
             if title.contains(" compared") {
                 compared += 1;
-                // Either key ends it.
+                // D and Esc both end the comparison.
                 session.press(if compared % 2 == 0 {
                     ". 2 PgDn Tab 1 , D"
                 } else {
@@ -287,9 +289,10 @@ fn every_preset_stands_beside_every_other() {
     assert!(compared > 100, "{compared}");
 }
 
-/// After an edit, what was opened is the first that is offered, and follows every further edit.
+/// After an edit, the list offers the opened state first, and the comparison follows every further
+/// edit.
 #[test]
-fn an_edited_scene_stands_beside_what_was_opened() {
+fn edited_scene_compares_with_its_opened_state() {
     let mut session = beside("edited", Glyphs::Ascii, 100, 40);
     assert!(!session.press("D").look().contains("as opened"));
     session.press("Esc 6 / r 2 space l e n Enter Enter 1 0 1 Enter");
@@ -302,10 +305,11 @@ fn an_edited_scene_stands_beside_what_was_opened() {
     assert!(screen.contains("this - as opened"), "{screen}");
     assert_eq!(row(&screen, "r2")[1..3], ["1.00000", "0.000"]);
     assert_eq!(row(&screen, "B")[1], "0.50000");
-    // A further edit: the difference is to what was opened, not to the step before.
+    // After a further edit, the difference still refers to the opened state, not to the step
+    // before.
     let screen = session.press("6 Enter 1 0 2 Enter 2").look();
     assert_eq!(row(&screen, "r2")[1], "2.00000");
-    // Taken back, nothing differs, and the comparison goes on.
+    // After undo, all differences are zero and the comparison stays active.
     let screen = session.press("u u").look();
     assert_eq!(row(&screen, "r2")[1].parse::<f64>().unwrap(), 0.0);
     assert!(screen.contains("this - as opened"), "{screen}");

@@ -1,17 +1,18 @@
-//! The curves of a second scene beside those of the open one.
+//! Tests the plots of a comparison: curves of the second scene.
 
 use crate::claims::{assert_told, cells, differences, places};
 use crate::compare::beside;
 use krank::drawing::Glyphs;
 
-/// A crank that is a hundredth longer moves nearly the same: its points lie on the curve and beside it.
+/// Asserts that the second scene's curve is dotted. Its crank is 1 % longer, so that its points lie
+/// on the curve and next to it.
 #[track_caller]
 fn assert_curve_is_dotted(alone: &str, compared: &str) {
     let changed = differences(alone, compared);
     let dotted = |was: char| changed.iter().filter(|c| c.2 == was && c.3 == '.').count();
     assert!(dotted('*') >= 10, "{compared}");
     assert!(dotted('*') > dotted(' '), "{compared}");
-    // The driver, the extrema and the axes stay where they were.
+    // The marks of driver, extrema and axes stay in place.
     let chart = |screen: &str| {
         let is_text =
             |line: &str| line.contains("crank") || line.contains("r4.") || line.contains("plots");
@@ -30,9 +31,10 @@ fn assert_curve_is_dotted(alone: &str, compared: &str) {
     assert_eq!(lost, None, "{alone}{compared}");
 }
 
-/// The other's curves are dotted, in the unit of this one, and go with the comparison.
+/// The second scene's curves are dotted, converted to the unit of the open scene, and end with the
+/// comparison.
 #[test]
-fn plots_have_a_dotted_curve() {
+fn plots_show_compared_scene_as_dotted_curve() {
     let screens = [
         ("ascii-80x24", Glyphs::Ascii, 80, 24),
         ("braille-120x40", Glyphs::Braille, 120, 40),
@@ -42,7 +44,7 @@ fn plots_have_a_dotted_curve() {
         let mut session = beside(&format!("plots-{name}"), glyphs, cols, rows);
         let alone = session.press(if cols > 100 { "3 O" } else { "3" }).look();
         session.press("D").type_in("longer").press("Enter");
-        // What was said when it began has been read.
+        // The opening message has expired.
         let screen = session.pass(9.0).look();
         let (own, other) = if cols == 40 {
             ("r4.omega 3.0911 +1", "plots mine.toml 60.00 deg ok ? help")
@@ -55,12 +57,12 @@ fn plots_have_a_dotted_curve() {
             Glyphs::Braille => insta::assert_snapshot!(format!("plots-{name}"), screen),
             _ => assert_curve_is_dotted(&alone, &screen),
         }
-        // Chosen anew, they are there again; ended, they are gone.
+        // Switching views keeps the dotted curves; ending the comparison removes them.
         assert_eq!(session.press("m m").pass(9.0).look(), screen);
         assert_eq!(session.press("1 3").look(), screen);
         assert_eq!(session.press("D , .").look(), alone);
     }
-    // The same in inches lies on it: the axis and its ticks are the same.
+    // The same scene in inches has the same axis and ticks.
     let mut session = beside("plots-units", Glyphs::Ascii, 80, 24);
     session.press("3 x c / B . x Enter space Esc");
     let alone = session.press("Esc").look();

@@ -1,4 +1,4 @@
-//! Screens that are printed: by the program, in the README, and in the manual.
+//! Tests printed screens: by the program, in the README and in the manual.
 
 use crate::screen::{krank, made_up, masked, preset};
 use krank::drawing::Glyphs;
@@ -6,12 +6,12 @@ use krank::tui::{Colours, Workbench};
 
 const README: &str = include_str!("../../README.md");
 const VIEWS: &str = include_str!("../../src/manual/english/views.md");
-/// The same chapter in Turkish.
+/// The chapter on views in Turkish.
 const GORUNUMLER: &str = include_str!("../../src/manual/turkish/views.md");
 
-/// The printed screen is the one that opens, needs no terminal and no environment.
+/// The printed screen equals the opening screen; printing needs no terminal and no environment.
 #[test]
-fn the_first_screen_is_printed() {
+fn print_option_prints_opening_screen() {
     let opened =
         |name, cols, rows| Workbench::new(preset(name), Glyphs::Ascii, Colours::None, cols, rows);
     let printed = krank(&["four-bar", "--print"]);
@@ -33,7 +33,7 @@ fn the_first_screen_is_printed() {
     }
 }
 
-/// The screen of a view as `krank --print` has it.
+/// Returns the screen of a view as printed by `krank --print`.
 fn printed(key: &str, rows: u16) -> String {
     let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, rows)
         .timed_by(made_up);
@@ -41,9 +41,9 @@ fn printed(key: &str, rows: u16) -> String {
     workbench.text()
 }
 
-/// Every view has a screen in the manual, and the first one in the README; it is the one that is seen.
+/// The manual shows a screen of every view and the README the first one; all match the program.
 #[test]
-fn the_screens_of_the_manual_are_real() {
+fn manual_screens_match_program() {
     for (text, key, rows) in [
         (README, "1", 24),
         (VIEWS, "2", 24),
@@ -59,14 +59,15 @@ fn the_screens_of_the_manual_are_real() {
             "there should be for {key}\n{screen}"
         );
     }
-    // Times are another machine's: the methods are these, in this order.
+    // Times differ between machines; names and order of the methods do not.
     let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 25);
     workbench.press("4");
     let screen = workbench.text();
     methods_are_told(VIEWS, "error over time", &screen);
 }
 
-/// The one screen of the accuracy view that a text has names the methods that another screen of it has.
+/// Asserts that the text has exactly one screen of the accuracy view, and that `screen` contains
+/// all its methods.
 fn methods_are_told(text: &str, title: &str, screen: &str) {
     let blocks = text.split("```txt\n").skip(1);
     let shown = blocks.map(|block| block.split("```").next().unwrap());
@@ -76,7 +77,7 @@ fn methods_are_told(text: &str, title: &str, screen: &str) {
     };
     let mut methods = 0;
     for line in shown.lines().skip(2).filter_map(|line| line.get(41..)) {
-        // A letter, a mark, and the method; behind it, its time.
+        // A row has a letter, a mark, the method and its time.
         let method = line
             .get(2..)
             .unwrap_or_default()
@@ -91,9 +92,9 @@ fn methods_are_told(text: &str, title: &str, screen: &str) {
     assert!(methods >= 15, "{shown}");
 }
 
-/// The screens of the manual in Turkish are those of the program that speaks it: within this one English is spoken.
+/// The Turkish screens come from separate processes: this process uses English.
 #[test]
-fn the_screens_of_the_turkish_manual_are_real() {
+fn turkish_manual_screens_match_program() {
     let printed = |scene: &str, view: &str, size: &str| -> String {
         let (screen, code) = krank(&[
             scene,
@@ -124,7 +125,8 @@ fn the_screens_of_the_turkish_manual_are_real() {
             "there should be for {view}\n{screen}"
         );
     }
-    // Where a turn is integrated a study takes a minute: of this one the methods are told, and not tried.
+    // Integrating a full turn would take a minute; for a double-rocker the methods are listed
+    // without being tried.
     let (methods, _) = krank(&[
         "accuracy",
         "double-rocker",

@@ -1,5 +1,5 @@
-//! Pictures of presets. They are meant to be looked at: a change that makes one of them worse to
-//! read is a fault, whatever else it does.
+//! Snapshots of the drawings of presets. They are meant to be looked at: a change that makes one of
+//! them worse to read is a bug.
 
 use krank::drawing::{
     Figure, Glyphs, Labels, Layers, Raster, Reach, WorldView, linkage, render, render_into,
@@ -8,7 +8,7 @@ use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver, State};
 use krank::{PointId, Vec2};
 
-/// A preset at a coordinate of its driver, and the window that it fits into.
+/// Draws a scene at a driver coordinate, in the window that fits its motion.
 fn drawn(
     text: &str,
     at: Option<f64>,
@@ -27,7 +27,7 @@ fn drawn(
     (scene, state, view, figure)
 }
 
-/// A preset at a coordinate of its driver.
+/// Renders a preset at a driver coordinate, in a frame.
 fn picture(
     preset: &str,
     at: f64,
@@ -37,7 +37,7 @@ fn picture(
 ) -> String {
     let text = presets::find(preset).expect("the preset is there").text;
     let (_, _, view, figure) = drawn(text, Some(at), (cols, rows), layers);
-    // A frame, so that blank rows and columns are seen in the file.
+    // The frame makes blank rows and columns visible in the snapshot.
     let raster = render(&figure, &view, glyphs);
     let edge = format!("+{}+\n", "-".repeat(usize::from(cols)));
     let line = |line: &str| format!("|{line:<width$}|\n", width = usize::from(cols));
@@ -80,9 +80,9 @@ fn centres_of_mass_and_names_of_links() {
 
 const SIZES: [(u16, u16); 4] = [(120, 40), (80, 24), (50, 18), (40, 12)];
 
-/// A terminal that has lines shows the same picture, cell by cell.
+/// Line glyphs show the same drawing as ASCII, cell by cell.
 #[test]
-fn lines_are_drawn_where_characters_are() {
+fn line_glyphs_match_ascii_cell_by_cell() {
     for preset in presets::all() {
         for size in SIZES {
             let (_, _, view, figure) = drawn(preset.text, None, size, Layers::default());
@@ -95,7 +95,7 @@ fn lines_are_drawn_where_characters_are() {
     }
 }
 
-/// Something stands in the cell of this place, or beside it.
+/// Returns `true` if the cell of this place, or a neighbour of it, is not blank.
 fn is_drawn(raster: &Raster, place: Vec2) -> bool {
     let (col, row) = (place.x.floor() as i32, place.y.floor() as i32);
     let near = [(0, 0), (-1, 0), (1, 0), (0, -1), (0, 1)];
@@ -103,9 +103,9 @@ fn is_drawn(raster: &Raster, place: Vec2) -> bool {
     cells.into_iter().flatten().any(|cell| cell.glyph != ' ')
 }
 
-/// Where a link stands from one of its joints to another, something is seen without a gap.
+/// A link has no gap between its two joints.
 #[test]
-fn every_link_is_drawn_from_joint_to_joint() {
+fn every_link_is_drawn_without_gaps() {
     for preset in presets::all() {
         for (size, glyphs) in SIZES.into_iter().flat_map(|size| {
             [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille].map(|glyphs| (size, glyphs))
@@ -133,9 +133,9 @@ fn every_link_is_drawn_from_joint_to_joint() {
     }
 }
 
-/// A support is a triangle above hatching where there is room, and hatching alone where there is little.
+/// A support is a triangle above hatching; on a small screen only the hatching.
 #[test]
-fn every_ground_joint_has_its_support() {
+fn ground_joints_have_triangles_only_on_larger_screens() {
     for (size, triangles) in [((80, 24), 2), ((50, 18), 2), ((40, 12), 0)] {
         let text = picture("four-bar", 60.0, size, Glyphs::Ascii, Layers::default());
         assert_eq!(text.matches("/_\\").count(), triangles, "{text}");
@@ -143,9 +143,9 @@ fn every_ground_joint_has_its_support() {
     }
 }
 
-/// A pin in a slot is a block on what it slides along: the lever goes on beyond it.
+/// A pin in a slot is a block, and the slotted lever is drawn on both sides of it.
 #[test]
-fn a_block_stands_on_its_slot() {
+fn slotted_link_continues_beyond_its_block() {
     let layers = Layers::default();
     let text = picture("slotted-lever", 60.0, (50, 18), Glyphs::Ascii, layers);
     let lines: Vec<&str> = text.lines().collect();
@@ -157,9 +157,9 @@ fn a_block_stands_on_its_slot() {
     }
 }
 
-/// The barrel of a cylinder is broad, and ends where its rod goes on.
+/// The barrel of a cylinder is wide and lies between its pin and the end of its rod.
 #[test]
-fn a_cylinder_is_drawn_from_its_pin_to_its_mouth() {
+fn cylinder_barrel_is_drawn_between_pin_and_rod() {
     let layers = Layers::default();
     let (scene, state, view, figure) = drawn(
         presets::find("excavator-boom").expect("it is there").text,
@@ -188,7 +188,7 @@ fn a_cylinder_is_drawn_from_its_pin_to_its_mouth() {
 }
 
 #[test]
-fn a_raster_can_be_used_again_for_another_size() {
+fn raster_can_be_reused_for_another_size() {
     let text = include_str!("../../presets/four-bar.toml");
     let scene = Scene::parse(text, "four-bar").expect("the scene reads");
     let solver = Solver::new(&scene.mechanism).expect("the scene moves");

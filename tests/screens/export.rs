@@ -1,4 +1,4 @@
-//! Taking things out of the workbench: to the clipboard and into files.
+//! Tests the export of the workbench: to the clipboard and to files.
 
 use crate::claims::{assert_told, said};
 use crate::screen::{SWINGING, Session, folder, four_bar, krank, open, preset};
@@ -7,10 +7,10 @@ use krank::drawing::Glyphs;
 use krank::tui::Origin;
 use std::collections::HashMap;
 
-/// Further steps than there is way.
+/// More steps than the motion has, so that it ends at the dead point.
 const TO_THE_DEAD_POINT: &str = "] ] ] ] ] .";
 
-/// What OSC 52 has put on the clipboard, of one sequence and nothing else.
+/// Decodes the clipboard text of a single OSC 52 sequence.
 fn on_clipboard(sent: &[u8]) -> String {
     let text = std::str::from_utf8(sent).unwrap();
     let text = text.strip_prefix("\x1b]52;c;").unwrap();
@@ -34,7 +34,7 @@ fn base64(text: &str) -> Vec<u8> {
     bytes
 }
 
-/// `name -> value` as `krank table --format csv` has them.
+/// Returns the values of `krank table --format csv` by name.
 fn values_of_table(scene: &str, at: &str) -> HashMap<String, String> {
     let (csv, _) = krank(&["table", scene, "--at", at, "--format", "csv"]);
     let rows = csv.lines().skip(1).map(|row| {
@@ -45,7 +45,7 @@ fn values_of_table(scene: &str, at: &str) -> HashMap<String, String> {
     rows.collect()
 }
 
-/// Every cell of copied rows, by the name that a column of a sweep has: `C.vx`.
+/// Returns the cells of copied rows with the column names of a sweep, such as `C.vx`.
 fn cells_of(copied: &str) -> Vec<(String, String)> {
     let mut lines = copied.lines();
     let heading: Vec<&str> = lines.next().unwrap().split('\t').skip(1).collect();
@@ -62,7 +62,7 @@ fn cells_of(copied: &str) -> Vec<(String, String)> {
 }
 
 #[test]
-fn a_value_a_row_and_a_table_are_copied_with_all_their_digits() {
+fn value_row_and_table_are_copied_with_full_precision() {
     let mut session = four_bar(80, 24);
     let line = session.press("2 / C Enter L L y").last_line();
     assert_eq!(line, " copy  v value  r row  t table  Esc back");
@@ -103,11 +103,12 @@ fn a_value_a_row_and_a_table_are_copied_with_all_their_digits() {
 }
 
 #[test]
-fn the_question_how_much_is_copied_is_given_up_without_harm() {
+fn copy_prompt_ignores_other_keys_and_closes_on_esc() {
     let mut session = four_bar(40, 12);
     let line = session.press("2 y").last_line();
     assert_eq!(line, " copy  v value  r row  t table  Esc back");
-    // Keys that answer nothing do nothing: an Esc that a slow line splits must not either.
+    // Other keys are ignored, because a slow line may split an escape sequence into an Esc and
+    // other keys.
     assert_eq!(session.press("[ A q").last_line(), line);
     assert!(session.press("Esc").last_line().starts_with(" tables "));
     let screen = session.press("y t").look();
@@ -116,13 +117,13 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
         "{screen}"
     );
     assert!(!session.workbench.take_sent().is_empty());
-    // In the scene it is the value under the cursor; views without one say so.
+    // The scene view copies the value under the cursor; views without one report that.
     let sent = session.press("6 y").workbench.take_sent();
     assert_eq!(on_clipboard(&sent).trim().parse(), Ok(0.0), "A x");
     let screen = session.press("5 y").look();
     assert!(said(&screen).contains("nothing to copy here"), "{screen}");
     assert_eq!(session.workbench.take_sent(), b"");
-    // What is read is copied line by line.
+    // Text views are copied in full.
     for (key, said) in [
         ("e", "r2.com.x"),
         ("7", "Vector polygons"),
@@ -134,7 +135,7 @@ fn the_question_how_much_is_copied_is_given_up_without_harm() {
 }
 
 #[test]
-fn what_does_not_exist_is_an_empty_cell() {
+fn missing_values_are_empty_cells() {
     let opened = open(SWINGING, Origin::Stdin);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session
@@ -154,7 +155,7 @@ fn what_does_not_exist_is_an_empty_cell() {
     let cells: HashMap<_, _> = cells_of(&row).into_iter().collect();
     assert_eq!(cells["r4.omega"], "");
     assert!(!cells["r4.angle"].is_empty());
-    // And so in a file: the very row of a sweep.
+    // A file gets the same row as `krank sweep`.
     let here = folder("dead-point");
     let (scene, file) = (here.join("swinging.toml"), here.join("row.csv"));
     std::fs::write(&scene, SWINGING).unwrap();
@@ -173,11 +174,11 @@ fn what_does_not_exist_is_an_empty_cell() {
 }
 
 #[test]
-fn the_figures_are_written_as_a_sweep_of_one_row() {
+fn values_are_written_as_one_row_sweep() {
     let here = folder("figures");
     let file = here.join("row.csv");
     let path = file.to_str().unwrap();
-    // The last of them is pushed, and stands where the scene says.
+    // The last scene is driven by a slide, at the position that the scene gives.
     for (name, keys, at) in [
         ("four-bar", "", Some("60")),
         ("press", "g 4 2 4 . 2 5 Enter", Some("424.25")),
@@ -204,7 +205,7 @@ fn the_figures_are_written_as_a_sweep_of_one_row() {
 }
 
 #[test]
-fn no_file_is_written_over_unasked() {
+fn existing_file_is_overwritten_only_after_confirmation() {
     let here = folder("unasked");
     let file = here.join("kept.csv");
     std::fs::write(&file, "kept").unwrap();
@@ -223,19 +224,19 @@ fn no_file_is_written_over_unasked() {
     let line = session.press("Enter").pass(1.0).press("Enter").last_line();
     assert!(line.contains("the values written to"), "{line}");
     assert!(std::fs::read_to_string(&file).unwrap().ends_with(",ok\n"));
-    // A folder is no file.
+    // A folder is not a file.
     session.press("Y Ctrl-U").type_in(here.to_str().unwrap());
     let screen = session.press("Enter").look();
     let told = " that is a folder: add a name";
     assert!(said(&screen).contains(told), "{screen}");
-    // What is to be mended is seen.
+    // The rejected name stays visible.
     assert!(session.last_line().contains("write to: "), "{screen}");
     assert_eq!(std::fs::read_dir(&here).unwrap().count(), 1);
 }
 
 #[cfg(target_os = "linux")]
 #[test]
-fn a_full_disk_is_said_and_another_name_can_be_typed() {
+fn unwritable_path_is_reported_and_can_be_retyped() {
     let mut session = four_bar(80, 24);
     session.press("Y Ctrl-U").type_in("/dev/full");
     let line = session.press("Enter").pass(1.0).press("Enter").last_line();
@@ -243,7 +244,7 @@ fn a_full_disk_is_said_and_another_name_can_be_typed() {
         line,
         " write  write to: /dev/full    not written: it is a device, not a file"
     );
-    // What was asked for is still there.
+    // The prompt is still open.
     let file = folder("full").join("row.csv");
     session.press("Ctrl-U").type_in(file.to_str().unwrap());
     session.press("Enter");
@@ -265,7 +266,7 @@ fn a_full_disk_is_said_and_another_name_can_be_typed() {
 }
 
 #[test]
-fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
+fn screen_and_drawing_are_written_to_files() {
     let here = folder("pictures");
     let file = here.join("screen.txt");
     for keys in ["1", "2 j j L", "4 Esc", "e"] {
@@ -293,9 +294,9 @@ fn the_screen_and_the_drawing_are_written_as_they_are_seen() {
     assert!(line.contains("this view has no drawing"), "{line}");
 }
 
-/// The ending of the name that is typed says how a report is written.
+/// The extension of the typed name selects the report's format.
 #[test]
-fn a_report_is_written_as_its_name_ends() {
+fn report_format_follows_file_extension() {
     let here = folder("reports");
     let mut session = four_bar(80, 24);
     for (name, begins) in [
@@ -314,14 +315,14 @@ fn a_report_is_written_as_its_name_ends() {
         assert!(text.starts_with(begins), "{name}: {text}");
         session.pass(20.0);
     }
-    // Of the plots, too, it is the report on the linkage as it stands.
+    // In the plots view, too, the report describes the linkage at its present position.
     let line = session.press("3 E").last_line();
     assert!(line.contains("write to: four-bar-60.html"), "{line}");
 }
 
-/// Of the plots the values at the cursor are copied, and all of them are written.
+/// In the plots view, y copies the values at the cursor, and Y and S write the whole curves.
 #[test]
-fn what_is_plotted_is_taken_out() {
+fn plots_are_copied_at_cursor_and_written_in_full() {
     let here = folder("plots");
     let mut session = four_bar(80, 24);
     session.press("3 y");
@@ -346,7 +347,7 @@ fn what_is_plotted_is_taken_out() {
             .press("Enter");
         assert!(std::fs::read_to_string(&file).unwrap().starts_with(begins));
     }
-    // Where nothing is plotted, that is said.
+    // Without a plot, each key reports that.
     for key in ["y", "Y", "S"] {
         let line = session.press("3 x c x").press(key).last_line();
         let is_said = line.contains("no plot") || line.contains("nothing to copy");
@@ -354,9 +355,10 @@ fn what_is_plotted_is_taken_out() {
     }
 }
 
-/// All of the working is copied and written, whatever of it is seen; as the name of the file ends.
+/// The working is exported in full, whatever part is visible; the file's extension selects the
+/// format.
 #[test]
-fn all_of_the_working_is_taken_out() {
+fn working_is_copied_and_written_in_full() {
     let here = folder("working");
     let mut session = four_bar(80, 24);
     let line = session.press("7 J J y").last_line();
@@ -381,13 +383,13 @@ fn all_of_the_working_is_taken_out() {
         assert!(written.starts_with(begins), "{written}");
         assert!(written.contains(has), "{written}");
     }
-    // In the other views it is the figures that are written.
+    // Other views write the values.
     assert!(session.press("2 Y").last_line().contains("four-bar-60.csv"));
 }
 
-/// Of two scenes the differences are copied, and bear that name.
+/// While two scenes are compared, y copies the differences, and the heading says so.
 #[test]
-fn differences_are_copied_as_such() {
+fn copied_differences_are_labelled_as_such() {
     let mut session = four_bar(80, 24);
     session.press("2 D d o u b l e Enter");
     let screen = session.look();
@@ -397,9 +399,9 @@ fn differences_are_copied_as_such() {
     assert!(row.starts_with("vector, difference\tlength [mm]"), "{row}");
 }
 
-/// More than a terminal takes for its clipboard is refused, with what to do instead.
+/// A text too large for the terminal's clipboard is rejected, with the advice to write a file.
 #[test]
-fn too_much_for_a_clipboard_is_refused() {
+fn oversized_copy_is_rejected() {
     let bar = |i: usize| format!("p{i} = [\"A\", \"C\"]\n");
     let bars: String = (0..1200).map(bar).collect();
     let scene = format!("{SWINGING}[vectors]\n{bars}");

@@ -1,4 +1,4 @@
-//! The view of forces, as it is seen.
+//! Tests the forces view.
 
 use crate::claims::{assert_told, said};
 use crate::screen::{Session, open, preset, text};
@@ -11,7 +11,7 @@ fn session(name: &str, cols: u16, rows: u16) -> Session {
     Session::new(preset(name), Glyphs::Ascii, cols, rows)
 }
 
-/// A preset with more in its file.
+/// Opens the forces view of a preset with additional text in its file.
 fn with(name: &str, more: &str, cols: u16, rows: u16) -> Session {
     let text = format!("{}\n{more}", text(name));
     let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, cols, rows);
@@ -21,7 +21,7 @@ fn with(name: &str, more: &str, cols: u16, rows: u16) -> Session {
 
 const PULL: &str = "[[loads]]\npoint = \"C\"\nforce = [0, -10]\n";
 
-/// Rounding alone decides what a check misses and how large a bound is.
+/// Masks the residuals of checks and the bounds, which depend only on rounding.
 fn masked(screen: &str) -> String {
     let line = |line: &str| match line.split_once("+-") {
         Some((before, _)) => format!("{before}+-(bound)\n"),
@@ -32,7 +32,7 @@ fn masked(screen: &str) -> String {
 }
 
 #[test]
-fn forces_stand_in_blocks_of_one_width() {
+fn forces_are_listed_in_blocks_of_equal_width() {
     let mut large = Session::new(preset("press-ram"), Glyphs::Braille, 120, 40);
     let screen = large.press("5 O").look();
     insta::assert_snapshot!("forces-press-ram-braille-120x40", masked(&screen));
@@ -53,9 +53,9 @@ fn forces_stand_in_blocks_of_one_width() {
     assert_told(&screen, &told);
 }
 
-/// A driver that pushes has a force, in its own unit and width.
+/// A sliding driver has a force in its own unit and column width.
 #[test]
-fn a_rod_that_pushes_has_a_force_of_its_own() {
+fn sliding_driver_has_force_instead_of_torque() {
     let screen = session("excavator-boom", 80, 24).press("5").look();
     let told = [
         "driver force loads gravity inertia power",
@@ -77,9 +77,8 @@ fn a_rod_that_pushes_has_a_force_of_its_own() {
     assert_told(&screen, &told);
 }
 
-/// The screen in the manual is the one that is seen.
 #[test]
-fn the_screen_of_the_manual_is_real() {
+fn manual_screen_of_forces_matches_program() {
     let views = include_str!("../../src/manual/english/views.md");
     let mut workbench = Workbench::new(
         preset("four-bar-load"),
@@ -97,9 +96,8 @@ fn the_screen_of_the_manual_is_real() {
     );
 }
 
-/// Everything is seen once at every size, and nothing is cut.
 #[test]
-fn every_size_shows_every_force() {
+fn scrolling_shows_every_force_untruncated_at_every_size() {
     for (cols, rows) in [(40, 12), (57, 20), (80, 24), (120, 40), (200, 60)] {
         let mut session = session("press-ram", cols, rows);
         let mut all = session.press("5").body();
@@ -117,7 +115,7 @@ fn every_size_shows_every_force() {
     }
 }
 
-/// The figures under one heading, cell by cell.
+/// Returns the numbers in the row that begins with this name.
 fn row(screen: &str, name: &str) -> Vec<f64> {
     let line = screen.lines().find(|line| line.starts_with(name));
     let line = line.unwrap_or_else(|| panic!("no {name}: {screen}"));
@@ -126,7 +124,7 @@ fn row(screen: &str, name: &str) -> Vec<f64> {
 }
 
 #[test]
-fn the_figures_are_those_of_the_state() {
+fn values_equal_solved_state() {
     let opened = preset("press-ram");
     let mut state = opened.solver.state();
     let _ = opened.solver.solve(20.0, Order::Force, &mut state);
@@ -164,7 +162,7 @@ fn the_figures_are_those_of_the_state() {
 }
 
 #[test]
-fn the_forces_are_copied_with_all_their_digits() {
+fn forces_are_copied_to_clipboard() {
     let mut session = session("press-ram", 80, 24);
     let line = session.press("5 y").last_line();
     assert!(
@@ -178,9 +176,9 @@ fn the_forces_are_copied_with_all_their_digits() {
     assert!(line.contains("nothing to copy here"), "{line}");
 }
 
-/// Whatever the driver's coordinate, the last characters of a column stand below one another.
+/// The last digits of a column stay aligned at every driver coordinate.
 #[test]
-fn numbers_do_not_dance() {
+fn columns_stay_aligned_as_driver_moves() {
     let ends = |screen: &str| -> Vec<Vec<usize>> {
         let rows = screen
             .lines()
@@ -203,7 +201,7 @@ fn numbers_do_not_dance() {
 }
 
 #[test]
-fn a_scene_on_which_nothing_acts_says_so() {
+fn scene_without_loads_explains_how_to_add_them() {
     const MEND: &str = " Give a link its mass and com, or add [[loads]] or [[springs]] to the file. \
                         This view then shows the driver's torque or force and the force at every joint.";
     let shown = session("four-bar", 80, 24).press("5").body();
@@ -212,7 +210,7 @@ fn a_scene_on_which_nothing_acts_says_so() {
     let text = format!("gravity = [0, -9.81]\n{}", text("four-bar"));
     let mut session = Session::new(open(&text, Origin::Stdin), Glyphs::Ascii, 40, 12);
     let nothing = "No forces act on this linkage: the scene has gravity, but no link has a mass.";
-    // With the next key the message goes that is said below.
+    // The next key clears the message in the last line.
     assert_eq!(
         said(&session.press("5 [").body()),
         nothing.to_owned() + MEND
@@ -220,9 +218,9 @@ fn a_scene_on_which_nothing_acts_says_so() {
 }
 
 #[test]
-fn at_a_dead_point_no_force_is_shown_as_a_number() {
+fn dead_point_shows_no_force_values() {
     let mut session = session("excavator-boom", 80, 24);
-    // Further steps than there is way.
+    // More steps than the motion has.
     let shown = session.press("5 ] ] ] ] ] . . . . . . . .").body();
     let none = "No force of the driver exists here: at a dead point the driver cannot move the mechanism, and \
                 the forces grow without bound.";
@@ -234,7 +232,7 @@ fn at_a_dead_point_no_force_is_shown_as_a_number() {
 }
 
 #[test]
-fn at_a_change_point_the_torque_is_all_there_is() {
+fn change_point_shows_only_driver_torque() {
     let mut session = with("parallelogram", PULL, 80, 24);
     let shown = session.press("g").type_in("0").press("Enter").body();
     let all = "driver torque loads gravity inertia power N m N m N m N m W \
@@ -250,7 +248,7 @@ fn at_a_change_point_the_torque_is_all_there_is() {
 }
 
 #[test]
-fn reactions_that_are_left_open_are_named() {
+fn indeterminate_reactions_are_named() {
     let mut session = with("triple-parallelogram", PULL, 80, 24);
     insta::assert_snapshot!("forces-indeterminate-ascii-80x24", masked(&session.look()));
     let below = session.press("PgDn").look();
@@ -259,14 +257,13 @@ fn reactions_that_are_left_open_are_named() {
     }
 }
 
-/// Another assembly, another length, another scene: the forces follow.
 #[test]
-fn forces_follow_what_changes() {
+fn forces_follow_driver_and_scene() {
     let mut session = session("four-bar-load", 80, 24);
     let before = row(&session.press("5").look(), " r2 ");
     let other = row(&session.press(".").look(), " r2 ");
     assert_ne!(before, other);
-    // The engine, and then a scene on which nothing acts.
+    // The next scene is the engine; the one after it has no loads.
     let screen = session.press("n").look();
     assert!(
         screen.contains("r3 at C by piston") && !screen.contains("piston at C"),
@@ -276,9 +273,10 @@ fn forces_follow_what_changes() {
     assert!(screen.contains("No forces act on this linkage"), "{screen}");
 }
 
-/// The drawing tells the sizes that the view of forces tells, while its layer is on; where nothing acts it says so.
+/// While its layer is on, the drawing shows the magnitudes of the forces view. A scene without
+/// loads reports that.
 #[test]
-fn the_drawing_shows_what_acts_with_its_size() {
+fn drawing_shows_loads_and_forces_with_their_magnitudes() {
     let mut session = session("four-bar-load", 120, 40);
     let bare = session.look();
     assert!(!bare.contains(" N "), "{bare}");
@@ -296,7 +294,7 @@ fn the_drawing_shows_what_acts_with_its_size() {
         assert!(is_told, "{size}\n{figures}");
         assert!(screen.contains(&format!("{size} N")), "{size}\n{screen}");
     }
-    // It goes along with the driver, whichever view is looked at.
+    // The layer follows the driver in every view.
     assert_ne!(session.press("O 1 .").look(), screen);
     let off = session.press("N").look();
     assert!(!off.contains("500 N"), "{off}");

@@ -1,5 +1,6 @@
-//! What a whole frame must contain, at every size and for scenes of six kinds, in Braille and true colours: tabs,
-//! panes, figures, a drawing that is large, the hue of every link beside its rows, the verdict and the state.
+//! Checks whole frames at every size for six kinds of scenes, in Braille and true colours: tabs,
+//! panes, values, the size of the drawing, the hue of every link in its rows, the verdict and the
+//! state.
 
 use crate::claims::figures;
 use crate::screen::{SIX, Session, preset};
@@ -10,11 +11,11 @@ use std::collections::{BTreeMap, BTreeSet};
 
 const SIZES: [(u16, u16); 4] = [(80, 24), (120, 40), (200, 60), (40, 12)];
 
-/// A linkage takes so much of the width or of the height of its pane: three fifths, of which half a pin may lie beyond
-/// the middle of the outermost cell on either side.
+/// Minimum share of its pane's width or height that a linkage fills. Half a pin may lie beyond the
+/// middle of the outermost cell on either side.
 const FILL: f64 = 0.6;
 
-/// The driver's hue on a dark ground.
+/// The driver's hue on a dark background.
 const RED: vt100::Color = vt100::Color::Rgb(255, 105, 97);
 
 fn frame(name: &str, cols: u16, rows: u16) -> Session {
@@ -24,7 +25,8 @@ fn frame(name: &str, cols: u16, rows: u16) -> Session {
     session
 }
 
-/// Looks at the frames of all six at every size: the scene, the size, the screen, and both in words.
+/// Calls `check` for the frames of all six scenes at every size, with the scene, the size, the
+/// session, and a description for messages.
 fn every_frame(check: impl Fn(&str, (u16, u16), &mut Session, &str)) {
     for name in SIX {
         for (cols, rows) in SIZES {
@@ -35,7 +37,8 @@ fn every_frame(check: impl Fn(&str, (u16, u16), &mut Session, &str)) {
     }
 }
 
-/// The pane of the drawing: left of the first line that goes down from its title, and above the next title.
+/// The pane of the drawing: left of the first vertical line below its title, and above the next
+/// title.
 struct DrawingPane {
     cols: u16,
     rows: std::ops::Range<u16>,
@@ -52,7 +55,7 @@ impl DrawingPane {
         let body = 1..rows - 2;
         let bar = (20..cols).find(|col| body.clone().all(|row| is(row, *col, &["│", "┬", "┤"])));
         let end = bar.unwrap_or(cols);
-        // Without panes the tables are below on a narrow screen, under a rule or their own titles.
+        // On a narrow screen without panes, the tables lie below, under a rule or their own titles.
         let below = |row: &u16| {
             let line: String = (0..end)
                 .map(|col| {
@@ -72,7 +75,7 @@ impl DrawingPane {
         }
     }
 
-    /// Cells of the drawing with a part of the linkage, with their colours: dots, and pins.
+    /// Returns the cells with a part of the linkage (dots and pins) and their colours.
     fn inked(&self, session: &Session) -> Vec<(u16, u16, vt100::Color)> {
         let cells = self
             .rows
@@ -82,7 +85,7 @@ impl DrawingPane {
             let cell = session.terminal.screen().cell(row, col)?;
             let glyph = cell.contents().chars().next()?;
             let is_dotted = ('\u{2801}'..='\u{28ff}').contains(&glyph);
-            // The title above has letters.
+            // The title row has letters that look like pins.
             let is_pin = matches!(glyph, 'o' | '@') && row > self.rows.start;
             (is_dotted || is_pin).then(|| (row, col, cell.fgcolor()))
         });
@@ -90,7 +93,7 @@ impl DrawingPane {
     }
 }
 
-/// The colours in which the names of vectors stand in tables, by these names.
+/// Returns the colours of the vector names in the tables, by name.
 fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color> {
     let scene = preset(name).scene;
     let (rows, cols) = session.terminal.screen().size();
@@ -107,7 +110,7 @@ fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color>
                 .collect();
             let length = wanted.chars().count();
             let at = (0..text.len().saturating_sub(length + 4)).find(|at| {
-                // Behind a name stands its length.
+                // A length follows the name.
                 let here: String = text[*at..at + length].iter().collect();
                 let parted = *at == 0 || matches!(text[at - 1], ' ' | '>');
                 let behind = &text[at + length..];
@@ -127,11 +130,11 @@ fn hues_of_rows(session: &Session, name: &str) -> BTreeMap<String, vt100::Color>
 }
 
 #[test]
-fn every_frame_has_its_parts() {
+fn every_frame_has_tabs_panes_values_and_state() {
     every_frame(|_, (cols, rows), session, place| {
         let screen = session.look();
         let lines: Vec<&str> = screen.lines().collect();
-        // Tabs, the present one marked, all by their numbers.
+        // All tabs appear by their numbers, and the active one is marked.
         assert!(lines[0].contains("[1 Motion]"), "{place}");
         for tab in 2..=9 {
             assert!(lines[0].contains(&format!("{tab}")), "{tab}: {place}");
@@ -154,7 +157,7 @@ fn every_frame_has_its_parts() {
             _ => ([false, false], false),
         };
         assert_eq!((panes, plots), expected, "{place}");
-        // Figures: the smallest screen has those of the first vectors.
+        // The smallest screen shows the values of the first vectors.
         let least = match (cols, rows) {
             (200, _) => 42,
             (120, _) => 28,
@@ -170,7 +173,7 @@ fn every_frame_has_its_parts() {
 }
 
 #[test]
-fn every_drawing_has_its_share_and_fills_it() {
+fn drawing_gets_its_share_of_screen_and_fills_its_pane() {
     every_frame(|_, (cols, rows), session, place| {
         let pane = DrawingPane::of(session);
         let height = f64::from(pane.rows.end - pane.rows.start);
@@ -198,10 +201,10 @@ fn every_drawing_has_its_share_and_fills_it() {
     });
 }
 
-/// A row of the tables has the hue that its link has in the drawing, the driver's is seen wherever there are
-/// tables, and links that differ do not all look the same.
+/// A table row has the hue of its link in the drawing, the driver's hue appears wherever there are
+/// tables, and different links do not all have the same hue.
 #[test]
-fn rows_have_the_hues_of_their_links() {
+fn table_rows_have_hues_of_their_links() {
     every_frame(|name, (_, rows), session, place| {
         let dots = DrawingPane::of(session).inked(session);
         let drawn: BTreeSet<String> = dots
@@ -219,7 +222,7 @@ fn rows_have_the_hues_of_their_links() {
             "{rows_of:?}: {place}"
         );
         assert!(drawn.contains(&format!("{RED:?}")), "no driver: {place}");
-        // On the smallest screen links of one row lie below the pins at their ends.
+        // On the smallest screen, links of one row are hidden by the pins at their ends.
         if rows == 12 {
             return;
         }

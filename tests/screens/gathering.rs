@@ -1,4 +1,4 @@
-//! Parameters in the scene view, and edits that are gathered, driven by key scripts.
+//! Tests parameters and staged edits in the scene view, driven by key scripts.
 
 use crate::scene::Values;
 use crate::screen::{Session, four_bar, open, preset};
@@ -29,13 +29,13 @@ fn session(cols: u16, rows: u16) -> Session {
     Session::new(opened, Glyphs::Ascii, cols, rows)
 }
 
-/// The row under the cursor, without what is drawn beside it.
+/// Returns the row under the cursor, without the drawing next to it.
 fn row(session: &mut Session) -> String {
     session.row().trim_end_matches(" |").to_owned()
 }
 
 #[test]
-fn parameters_stand_first_and_take_along_what_follows_from_them() {
+fn parameters_are_listed_first_and_update_dependent_values() {
     let mut session = session(100, 30);
     session.press("6");
     insta::assert_snapshot!("scene-parameters-100x30", session.look());
@@ -68,7 +68,7 @@ fn parameters_stand_first_and_take_along_what_follows_from_them() {
 }
 
 #[test]
-fn what_follows_from_a_formula_is_not_nudged_but_typed() {
+fn formula_values_cannot_be_nudged_but_can_be_typed() {
     let mut session = session(120, 30);
     session.press("6").find("r3 len").press(">");
     let said = session.last_line();
@@ -93,9 +93,9 @@ fn what_follows_from_a_formula_is_not_nudged_but_typed() {
     assert_eq!(row(&mut session), "> r3 length 300 mm = rod");
 }
 
-/// Neither of two edits closes without the other; together they do, and one key takes both back.
+/// Each of the two edits alone does not close; both together do, and one undo reverts both.
 #[test]
-fn gathered_edits_are_made_and_taken_back_as_one() {
+fn staged_edits_are_applied_and_undone_together() {
     let mut session = four_bar(80, 24);
     session.press("6");
     let before = session.look();
@@ -119,7 +119,8 @@ fn gathered_edits_are_made_and_taken_back_as_one() {
     let waiting = row(&mut session);
     assert!(waiting.starts_with(">+D x 1104"), "{waiting}");
     assert!(session.look().contains("2 staged"));
-    // Nothing has changed so far, and nothing else is begun meanwhile.
+    // Staged edits change nothing, and other actions are blocked until they are applied or
+    // discarded.
     for key in ["w", "u", "q", "o"] {
         let line = session.press(key).last_line();
         assert!(
@@ -141,9 +142,9 @@ fn gathered_edits_are_made_and_taken_back_as_one() {
     assert_eq!(session.find("A x").press("Esc {").look(), before);
 }
 
-/// What waits for a value stands in its row, not the formula that it will take the place of.
+/// The row of a value shows its staged formula, not the present one.
 #[test]
-fn a_formula_that_waits_is_shown_and_so_are_the_keys_that_make_it() {
+fn staged_formula_is_shown_with_keys_to_apply_it() {
     let mut session = session(120, 30);
     session.press("6").find("r3 len").press("b");
     session
@@ -161,7 +162,7 @@ fn a_formula_that_waits_is_shown_and_so_are_the_keys_that_make_it() {
 }
 
 #[test]
-fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
+fn staged_edits_that_do_not_close_stay_staged_until_discarded() {
     let mut session = four_bar(80, 24);
     session
         .press("6")
@@ -184,9 +185,9 @@ fn gathered_edits_that_do_not_close_wait_on_or_are_dropped() {
     assert_eq!(row(session.press(">")), ">*r3 length 302 mm 300");
 }
 
-/// A key that was hit by mistake, or that a slow line has split into its parts, begins with an Esc.
+/// An Esc may be hit by mistake, or be split from an escape sequence by a slow line.
 #[test]
-fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
+fn undo_restores_discarded_staged_edits() {
     let mut session = session(120, 30);
     session.press("6").find("r3 len").press("b Enter");
     session.type_in("1000").press("Enter");
@@ -196,7 +197,7 @@ fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
     let told = "discarded the staged edits; u restores them";
     assert!(line.contains(told), "{line}");
     assert_eq!(row(&mut session), "> D x 400 mm = 4 * a");
-    // What was edited since is undone before.
+    // Later edits are undone first.
     session.find("r4 len").press("> u");
     assert!(session.last_line().contains("r4 length undone"));
     let line = session.press("u").last_line();
@@ -207,12 +208,12 @@ fn edits_that_were_dropped_by_one_key_are_brought_back_by_another() {
     assert!(line.contains("r3 length, D x undone"), "{line}");
     let line = session.press("u").last_line();
     assert!(line.contains("nothing to undo"), "{line}");
-    // To gather nothing is nothing that could be had back.
+    // An empty set of staged edits leaves nothing to restore.
     let line = session.press("b Esc").last_line();
     assert!(line.contains("edits apply immediately"), "{line}");
 }
 
-/// The goals that the manual and the help of commands give as examples.
+/// Returns the example goals of the manual and of the commands' help.
 fn goals_of_help() -> Vec<String> {
     let text = [
         include_str!("../../src/manual/english/views.md"),
@@ -235,9 +236,9 @@ fn goals_of_help() -> Vec<String> {
     goals.filter(|goal| goal.contains(['=', '>'])).collect()
 }
 
-/// A line that took 60 characters took less than the manual's own example, and said nothing.
+/// Regression test: an input limit of 60 characters silently cut the manual's own example.
 #[test]
-fn every_goal_of_the_help_can_be_typed() {
+fn every_documented_goal_can_be_typed() {
     let goals = goals_of_help();
     let longest = "r4.angle.swing = 60; transmission >= 40 by r2.length, r4.length=200..300";
     assert!(goals.iter().any(|goal| goal == longest), "{goals:?}");
@@ -247,7 +248,7 @@ fn every_goal_of_the_help_can_be_typed() {
         session.press("6 @");
         for goal in goals.iter().chain([&goals.join("; ")]) {
             session.press("Ctrl-U").type_in(goal);
-            // Its end is seen, with the caret behind it.
+            // The end of the goal is visible, with the caret after it.
             let line = session.last_line();
             let end: String = goal.chars().rev().take(24).collect();
             let end: String = end.chars().rev().collect();
@@ -263,9 +264,9 @@ fn every_goal_of_the_help_can_be_typed() {
     }
 }
 
-/// What is not taken is said, and what a text has for a minus is one.
+/// Rejected characters are reported, and a typographic minus is accepted as a minus.
 #[test]
-fn no_key_is_left_out_in_silence() {
+fn invalid_keys_are_reported_in_every_prompt() {
     let mut session = session(80, 24);
     session.press("6").find("r4 len").press("Enter");
     session.type_in("5\u{d7}50 \u{2212} 1").press("Enter");
@@ -286,10 +287,10 @@ fn no_key_is_left_out_in_silence() {
     }
 }
 
-/// The stroke of an in-line slider-crank is twice its crank: the value under the cursor is found, and one key takes it
-/// back. What no value meets says how near it comes.
+/// The stroke of an in-line slider-crank is twice its crank: the search finds the value under the
+/// cursor, and one undo reverts it. A goal that no value meets reports the nearest result.
 #[test]
-fn a_goal_is_met_by_the_value_under_the_cursor() {
+fn goal_search_changes_value_under_cursor() {
     let mut session = Session::new(preset("slider-crank"), Glyphs::Ascii, 120, 30);
     session.press("6").find("r2 len").press("@");
     assert!(session.look().contains("C.x.stroke = 120 by r2.length"));
@@ -311,10 +312,10 @@ fn a_goal_is_met_by_the_value_under_the_cursor() {
     assert_eq!(row(&mut session), "> r2 length 10 cm");
 }
 
-/// The offset of a slider-crank may lie to either side: both designs are gone through, one is taken, and one key takes
-/// both of its values back. The goal may be typed again where it was left.
+/// The offset of a slider-crank may lie on either side, so that two designs meet the goal. One is
+/// taken, and one undo reverts both of its values. The goal can be edited again.
 #[test]
-fn several_designs_for_a_goal_are_gone_through() {
+fn several_designs_for_a_goal_can_be_browsed() {
     let mut session = Session::new(preset("offset-slider-crank"), Glyphs::Ascii, 160, 30);
     let goal = "r4.length.stroke = 120; r4.length.ratio = 1.1 by r2.length, r4.through.y";
     session.press("6").find("r2 len");
@@ -334,9 +335,9 @@ fn several_designs_for_a_goal_are_gone_through() {
     assert_eq!(row(&mut session), given);
 }
 
-/// A figure that no design near by has used to be told without a reason.
+/// Regression test: a goal that no nearby design has was reported without a reason.
 #[test]
-fn a_goal_that_no_design_can_be_told_of_has_its_reason() {
+fn goal_on_undefined_value_explains_why() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 160, 30);
     session.press("6").find("r4 len").press("@");
     session.type_in("driver.angle.ratio = 2").press("Enter");

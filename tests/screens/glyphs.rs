@@ -1,5 +1,5 @@
-//! The same is told in every kind of glyphs: what a terminal has changes how lines and letters look, and
-//! nothing else.
+//! Checks that all kinds of glyphs show the same content: they only change the look of lines and
+//! letters.
 
 use crate::claims::{cells, figures, places, spelled};
 use crate::screen::{Session, preset};
@@ -8,12 +8,12 @@ use krank::scene::presets;
 
 const SIZES: [(u16, u16); 3] = [(40, 12), (80, 24), (120, 40)];
 
-/// A terminal that has lines shows the screen of one that has none, cell by cell; of the plots alone, whose
-/// curves have corners, it does not.
+/// A screen of line glyphs equals an ASCII screen, cell by cell. Plots are excepted, because their
+/// curves have corners.
 #[test]
-fn a_screen_of_lines_is_that_of_characters() {
+fn line_screens_match_ascii_screens_cell_by_cell() {
     for found in presets::all() {
-        // Beside them no plot has room.
+        // At these sizes no plot pane fits next to the view.
         for (cols, rows) in [(40, 12), (80, 24), (100, 40)] {
             let [mut plain, mut lines] = [Glyphs::Ascii, Glyphs::Line]
                 .map(|glyphs| Session::new(preset(found.name), glyphs, cols, rows));
@@ -35,9 +35,9 @@ fn a_screen_of_lines_is_that_of_characters() {
     }
 }
 
-/// In dots and with the letters of Greece, no figure is missing that a plain terminal tells.
+/// A Braille screen with Greek letters misses no number of an ASCII screen.
 #[test]
-fn a_screen_of_dots_tells_no_less() {
+fn braille_screens_show_every_ascii_value() {
     for found in presets::all() {
         for (cols, rows) in SIZES {
             let [mut plain, mut dotted] = [Glyphs::Ascii, Glyphs::Braille]
@@ -54,9 +54,10 @@ fn a_screen_of_dots_tells_no_less() {
     }
 }
 
-/// Of a plot the same is told, and where the crank is and the extrema are, within what a cell rounds.
+/// A plot shows the same numbers in all glyphs, and its marks for the crank and the extrema lie
+/// within one cell.
 #[test]
-fn curves_are_marked_in_the_same_places() {
+fn plot_marks_agree_within_one_cell_in_all_glyphs() {
     let shown = |glyphs, cols, rows| {
         let mut session = Session::new(preset("four-bar"), glyphs, cols, rows);
         session.press("3").body()

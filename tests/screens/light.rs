@@ -1,17 +1,18 @@
-//! What the cursor is on lights up in the drawing beside it, and what an edit moves leaves its old place as a ghost.
+//! Tests highlights in the drawing for the value under the cursor, and ghosts of the position
+//! before an edit.
 
 use crate::scene::Values;
 use crate::screen::{Session, four_bar, open, preset, text};
 use krank::drawing::Glyphs;
 use krank::tui::Origin;
 
-/// Cells of the drawing that characters show lit: bars and marks.
+/// Counts the highlighted cells of an ASCII drawing: bars and marks.
 fn lit(screen: &str) -> usize {
     screen.matches('#').count()
 }
 
-/// The names between brackets in the drawing, which is the right part of the scene view. The tab that is
-/// marked and the pins of blocks are none.
+/// Returns the names in brackets in the drawing, the right part of the scene view. Excludes the
+/// active tab and the pins of blocks.
 fn names(screen: &str) -> Vec<String> {
     let drawings = screen.lines().skip(1).filter_map(|line| line.get(45..));
     let pieces = drawings.flat_map(|line| line.split('[').skip(1));
@@ -22,16 +23,17 @@ fn names(screen: &str) -> Vec<String> {
         .collect()
 }
 
-/// The scene view of a scene, with the cursor on a value.
+/// Returns the scene view with the cursor on a value.
 fn on(scene: &str, value: &str) -> String {
     let opened = open(scene, Origin::Preset("test".into()));
     let mut session = Session::new(opened, Glyphs::Ascii, 100, 24);
     session.press("6").find(value).look()
 }
 
-/// Every kind of value names its part, which is marked in characters alone; what belongs to the whole marks nothing.
+/// Every kind of value highlights and names its part in ASCII; values of the whole scene highlight
+/// nothing.
 #[test]
-fn the_part_of_every_value_lights_up() {
+fn value_under_cursor_highlights_its_part() {
     let sprung = format!(
         "{}\n[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 10.0\nlength = 200\n",
         text("four-bar-load")
@@ -41,11 +43,11 @@ fn the_part_of_every_value_lights_up() {
         (text("four-bar"), "C start y", "[C]", 1..=1),
         (text("four-bar"), "r3 length", "[r3]", 5..=60),
         (text("four-bar"), "r3 com x", "[r3]", 5..=60),
-        // The driver is the link that it turns.
+        // The driver highlights the link that it turns.
         (text("four-bar"), "driver speed", "[r2]", 2..=30),
         (text("slider-crank"), "r4 angle", "[r4]", 5..=60),
         (text("excavator-boom"), "driver speed", "[rod]", 5..=60),
-        // What acts is told by what it acts on.
+        // A load highlights the point on which it acts.
         (text("four-bar-load"), "E force y", "[E]", 1..=1),
         (sprung.as_str(), "spring A-C stiffness", "", 5..=60),
     ] {
@@ -62,9 +64,10 @@ fn the_part_of_every_value_lights_up() {
     assert_eq!((names(&screen).len(), lit(&screen)), (0, 0), "{screen}");
 }
 
-/// It is named whatever names are shown, and lies on top in the ink's own colour where there are colours.
+/// The highlighted part is named whichever names are shown, and is drawn on top in the default
+/// foreground colour.
 #[test]
-fn what_is_lit_is_bold_and_named_among_no_names() {
+fn highlighted_part_is_bold_and_named_when_names_are_off() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Braille, 100, 30);
     session.press("i i 6").find("r3 length");
     let screen = session.look();
@@ -86,29 +89,29 @@ fn what_is_lit_is_bold_and_named_among_no_names() {
     assert!(lit.iter().all(|colour| colour == "Default"), "{lit:?}");
 }
 
-/// The cursor of the tables lights up its row's part, and nothing is lit while the drawing itself is looked at.
+/// The cursor of the tables highlights its row's part; the motion view highlights nothing.
 #[test]
-fn rows_of_the_tables_light_up_beside_the_drawing_alone() {
+fn table_and_plot_rows_highlight_their_parts() {
     let mut session = four_bar(120, 40);
     let bare = lit(&session.look());
     assert_eq!(bare, 0);
     session.press("2");
     let screen = session.look();
     assert!(screen.contains("[r2]") && lit(&screen) > 3, "{screen}");
-    // The vectors r3, r4 and then r1, which no link is: the line between two pins of the ground.
+    // After r3 and r4 comes r1, which is not a link but the line between two ground pins.
     let screen = session.press("j j j").look();
     assert!(screen.contains("[r1]") && lit(&screen) > 20, "{screen}");
     insta::assert_snapshot!("lit-vector-120x40", screen);
     assert_eq!(lit(&session.press("1").look()), 0);
-    // In the list of what is plotted as well.
+    // The list of plots highlights parts as well.
     let screen = session.press("3 x / r 3 . o m e g a Enter").look();
     assert!(screen.contains("[r3]") && lit(&screen) > 5, "{screen}");
 }
 
-/// The linkage as it was stands behind the new one until the next key: as it was before the first of several steps of
-/// one edit, not before the last of them.
+/// The previous position is shown until the next key: the position before the first of several
+/// steps of one edit, not before the last step.
 #[test]
-fn an_edit_leaves_the_old_place_as_a_ghost_until_the_next_key() {
+fn edit_shows_previous_position_as_ghost_until_next_key() {
     let ghost = |screen: &str| {
         let lines = screen.lines().filter_map(|line| line.get(45..));
         lines
@@ -124,13 +127,13 @@ fn an_edit_leaves_the_old_place_as_a_ghost_until_the_next_key() {
     assert!(later > first && later > 5, "{first}, {later}");
     insta::assert_snapshot!("ghost-of-an-edit-80x24", session.look());
     assert_eq!(ghost(&session.press("j").look()), 0);
-    // An edit that goes on after another key begins anew.
+    // After another key, the same edit starts a new ghost.
     assert!(ghost(&session.press("k >").look()) < later);
-    // Taking it back moves it too; what moves nothing leaves none.
+    // Undo leaves a ghost too; an edit that moves nothing leaves none.
     assert!(ghost(&session.press("u u").look()) > 5);
     session.find("driver speed").press("> >");
     assert_eq!(ghost(&session.look()), 0);
-    // While it plays, the old place would be one of another moment.
+    // While the motion plays, the previous position would belong to another moment.
     session.find("r2 length").press(&"> ".repeat(20));
     assert!(ghost(&session.look()) > 3);
     session.press("space").pass(0.1).press(">");

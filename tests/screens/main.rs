@@ -1,5 +1,5 @@
-//! The drawing, and the whole workbench as a terminal shows it, driven by key scripts: only the terminal is
-//! an emulated one. Snapshots are in `snapshots` beside this file; look at them before you accept new ones.
+//! Tests the drawing and the whole workbench in an emulated terminal, driven by key scripts.
+//! Snapshots are in the folder `snapshots`; look at them before you accept new ones.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

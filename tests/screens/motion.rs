@@ -1,4 +1,4 @@
-//! The motion view with its layers, zoomed and panned, as a terminal shows it.
+//! Tests the motion view with its layers, zoomed and panned.
 
 use crate::claims::{assert_dotted, assert_told, cells, differences, drawing, pane, places};
 use crate::screen::{self, Session, emulator, preset};
@@ -13,7 +13,7 @@ fn workbench(preset: &str, glyphs: Glyphs, colours: Colours, cols: u16, rows: u1
 }
 
 #[test]
-fn shows_arrows_with_their_scale() {
+fn arrows_are_shown_with_their_scale() {
     let arrows = |glyphs| {
         Session::new(preset("four-bar"), glyphs, 80, 24)
             .press("v A")
@@ -21,11 +21,11 @@ fn shows_arrows_with_their_scale() {
     };
     let shown = arrows(Glyphs::Ascii);
     insta::assert_snapshot!("motion-arrows-ascii-80x24", shown);
-    // In dots their heads stand in the same cells, and the scale is the same.
+    // In Braille, the arrows' heads lie in the same cells and the scale is the same.
     let dotted = arrows(Glyphs::Braille);
     let heads = |screen: &str| places(&cells(&drawing(screen)), &['<', '>', '^', 'v']);
     let [of_characters, of_dots] = [&shown, &dotted].map(|screen| heads(screen));
-    // The last row is the legend: its arrows begin elsewhere.
+    // The last row is the legend, whose arrows start elsewhere.
     let above = |heads: &[(usize, usize)]| heads.iter().filter(|at| at.0 < 20).count();
     assert_eq!(
         of_characters[..above(&of_characters)],
@@ -36,7 +36,7 @@ fn shows_arrows_with_their_scale() {
         assert_told(screen, &["v 1000 mm/s ="]);
         assert_told(screen, &["a 20000 mm/s^2 ="]);
     }
-    // Where there is little room, an arrow of the drawing means more, and the accelerations are not told of.
+    // On a small screen, arrows have a coarser scale and accelerations are not shown.
     let tiny = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13)
         .press("v A")
         .body();
@@ -53,7 +53,7 @@ fn shows_arrows_with_their_scale() {
 }
 
 #[test]
-fn shows_coupler_curves() {
+fn coupler_curves_are_shown() {
     let traced = |glyphs| {
         let mut session = Session::new(preset("hoecken"), glyphs, 80, 24);
         [session.body(), session.press("T").body()]
@@ -67,7 +67,7 @@ fn shows_coupler_curves() {
         .collect();
     assert!(curve.len() >= 40, "{shown}");
     assert_dotted(&curve, &traced(Glyphs::Braille)[1]);
-    // A leg on a small screen: the curves of two points, in what room there is.
+    // On a small screen, a leg shows the curves of two points in the space available.
     let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 13);
     let bare = leg.body();
     let shown = leg.press("T").body();
@@ -79,25 +79,26 @@ fn shows_coupler_curves() {
 }
 
 #[test]
-fn shows_everything_at_once() {
+fn all_layers_are_shown_together() {
     let mut session = Session::new(preset("slider-crank"), Glyphs::Braille, 120, 40);
     let body = session.press("i v A T G c").body();
     insta::assert_snapshot!("motion-everything-braille-120x40", &body);
     let bare = session.press("i v A T G c d").body();
-    // Three joints and what lies between them: no arrow, no trace, no name, no ground.
+    // Only three joints and the lines between them remain: no arrows, traces, names or ground.
     let drawn = drawing(&bare);
     assert_eq!(places(&cells(&drawn), &['o', '@']).len(), 3, "{bare}");
     let all = drawn.chars().filter(|c| c.is_ascii_graphic());
     assert_eq!(all.collect::<String>(), "@o[o]", "{bare}");
-    // The tables beside it are the same.
+    // The tables next to the drawing are the same.
     let tables = |body: &str| pane(body, true);
     assert!(tables(&bare).contains("r3.com"), "{bare}");
     assert_eq!(tables(&bare), tables(&body));
 }
 
-/// Each key switches its layer on, says so, and switches it off again: then all is as it was.
+/// Each key switches its layer on and off again with a message, and the view returns to its first
+/// state.
 #[test]
-fn every_layer_goes_as_it_came() {
+fn layer_keys_toggle_and_restore_the_view() {
     let mut session = Session::new(preset("press"), Glyphs::Ascii, 80, 24);
     let before = session.body();
     for (key, name) in [
@@ -121,12 +122,12 @@ fn every_layer_goes_as_it_came() {
 }
 
 #[test]
-fn zooms_and_pans_and_stays_there() {
+fn zoom_and_pan_persist_while_linkage_moves() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 25);
     let fitted = session.body();
     let near = session.press("z z L K").body();
-    // B and C stand twice as far apart as they did, within what a cell rounds, and D has left the window;
-    // the last row is the legend.
+    // B and C are twice as far apart as before, within the rounding of a cell, and D is outside the
+    // window. The last row is the legend.
     let joints = |body: &str| {
         let mut all = places(&cells(&drawing(body)), &['o', '@']);
         all.retain(|(row, _)| *row < 21);
@@ -144,24 +145,24 @@ fn zooms_and_pans_and_stays_there() {
     assert!(more_cols.abs_diff(2 * cols) <= 2, "{near}");
     assert!(!drawing(&near).contains('D'), "{near}");
     assert!(near.contains("zoom 2x"), "{near}");
-    // The ground does not move while the linkage does, nor when a step is taken back.
+    // The ground stays in place while the driver steps forward and back.
     session.press(". . . , , ,");
     assert_eq!(session.body(), near);
-    // Arrows keep their size, and what they mean is told anew.
+    // Arrows keep their length on the screen, and the legend shows their new scale.
     let arrows = session.press("v").body();
     assert!(
         arrows.contains(" mm/s = --") && arrows.contains("zoom 2x"),
         "{arrows}"
     );
     session.press("v");
-    // Another scene is fitted again, and this one when it is asked for.
+    // Another scene is fitted again, and f fits this one.
     assert!(!session.press("n").body().contains("zoom"));
     assert_eq!(session.press("p").body(), fitted);
     assert_eq!(session.press("z H J f").body(), fitted);
 }
 
 #[test]
-fn the_ends_of_zooming_and_panning_are_told() {
+fn zoom_and_pan_limits_are_reported() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let line = session.press(&"z ".repeat(30)).last_line();
     assert!(line.contains("zoom limit reached"), "{line}");
@@ -173,9 +174,9 @@ fn the_ends_of_zooming_and_panning_are_told() {
     assert!(session.body().contains("zoom 0.25x"));
 }
 
-/// The legend is there where there is room for the drawing, and never leaves the drawing's columns.
+/// The legend appears only where it fits, and the drawing stays within its columns.
 #[test]
-fn the_smallest_screen_keeps_the_drawing() {
+fn smallest_screen_still_shows_the_drawing() {
     for preset in presets::all() {
         let mut session = Session::new(screen::preset(preset.name), Glyphs::Ascii, 40, 12);
         let body = session.press("v A T G c i").body();
@@ -184,9 +185,9 @@ fn the_smallest_screen_keeps_the_drawing() {
     }
 }
 
-/// What a frame costs with every layer on: at most so many bytes for the four-bar, arrows and all.
+/// Limits the median size of a frame of the four-bar with traces.
 #[test]
-fn layers_cost_few_bytes() {
+fn median_frame_with_traces_costs_few_bytes() {
     for colours in [Colours::Sixteen, Colours::None] {
         let mut workbench = workbench("four-bar", Glyphs::Braille, colours, 80, 24);
         workbench.press("T");
@@ -203,11 +204,12 @@ fn layers_cost_few_bytes() {
     }
 }
 
-/// Not a test but a measurement: `cargo test --release --test screens motion -- --ignored --nocapture`.
+/// Measures the time of a frame: `cargo test --release --test screens motion -- --ignored
+/// --nocapture`.
 #[test]
 #[ignore = "a measurement"]
 #[allow(clippy::print_stdout, reason = "whoever measures wants to see it")]
-fn measure_a_frame_with_every_layer() {
+fn measure_frame_with_every_layer() {
     for preset in presets::all() {
         let mut workbench = workbench(preset.name, Glyphs::Braille, Colours::Sixteen, 200, 60);
         let begun = Instant::now();
@@ -243,9 +245,10 @@ fn keys() -> impl Strategy<Value = Vec<&'static str>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// Any scene, any size, any zoom: nothing panics, nothing is written outside, and ASCII stays ASCII.
+    /// For any keys, scene and size, nothing panics, and incremental frames add up to a full
+    /// repaint.
     #[test]
-    fn layers_and_windows_of_any_kind_are_drawn(
+    fn frames_with_layers_equal_full_repaint(
         keys in keys(),
         preset in 0_usize..40,
         (cols, rows) in (1_u16..220, 1_u16..70),

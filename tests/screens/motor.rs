@@ -1,4 +1,4 @@
-//! The motor view, as a terminal shows it.
+//! Tests the motor view.
 
 use crate::claims::{assert_told, figures, said};
 use crate::screen::{Session, folder, open, preset, text};
@@ -9,7 +9,7 @@ use krank::tui::Origin;
 const SIZES: [(u16, u16); 3] = [(40, 12), (80, 24), (120, 40)];
 
 #[test]
-fn the_curve_and_the_figures_have_room_on_every_screen() {
+fn curve_and_values_fit_large_and_small_screens() {
     let shown = |glyphs, cols, rows| {
         let mut session = Session::new(preset("four-bar-load"), glyphs, cols, rows);
         session.press(if cols > 100 { "8 O" } else { "8" }).body()
@@ -18,7 +18,7 @@ fn the_curve_and_the_figures_have_room_on_every_screen() {
     insta::assert_snapshot!("motor-ascii-40x12", shown(Glyphs::Ascii, 40, 12));
 }
 
-/// Everything that scrolling leads to.
+/// Returns everything that scrolling through the view shows.
 fn scrolled(name: &str, cols: u16, rows: u16) -> String {
     let mut session = Session::new(preset(name), Glyphs::Ascii, cols, rows);
     let mut seen = session.press(if cols > 100 { "8 O" } else { "8" }).body();
@@ -28,11 +28,11 @@ fn scrolled(name: &str, cols: u16, rows: u16) -> String {
     seen
 }
 
-/// Where the figures have no room beside the curve they are scrolled to.
+/// Values that do not fit next to the curve are reached by scrolling.
 #[test]
-fn every_figure_is_reached_on_every_screen() {
+fn scrolling_reaches_every_value_on_every_screen() {
     for name in ["four-bar-load", "press-ram"] {
-        // What stands above the curve follows the room that there is, as the numbers of the axes do.
+        // The labels of the curve and its axes depend on the space available.
         let large = scrolled(name, 200, 60);
         let report = large.lines().filter(|line| !line.contains("driver.torque"));
         let all = figures(&report.collect::<Vec<_>>().join("\n"));
@@ -42,7 +42,7 @@ fn every_figure_is_reached_on_every_screen() {
             assert_eq!(missing, None, "{name} at {cols} x {rows}");
         }
     }
-    // Forty columns have room for the sum of the parts alone.
+    // Forty columns only fit the sum of the parts.
     let told = [
         "over a turn at 15 rad/s (143.239",
         "torque [N m] all",
@@ -60,7 +60,7 @@ fn every_figure_is_reached_on_every_screen() {
 }
 
 #[test]
-fn a_press_shows_its_ram_below() {
+fn press_shows_stroke_values_of_its_ram() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
     let told = [
         "N m * driver.torque 44.1 over driver.angle over a turn at 10 rad/s (95.493 rpm), r2 needs 1133.76 N m at",
@@ -75,7 +75,7 @@ fn a_press_shows_its_ram_below() {
     let mut small = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 24);
     small.press("8");
     assert!(!small.look().contains("time ratio"));
-    // Down to the end, and no further.
+    // Scrolling stops at the end.
     for _ in 0..20 {
         small.press("PgDn");
     }
@@ -89,7 +89,7 @@ fn a_press_shows_its_ram_below() {
 }
 
 #[test]
-fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
+fn scene_without_loads_is_reported_and_still_shows_stroke() {
     let mut bare = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     let nothing = "the scene has no load and no mass, so the driver does no work";
     assert_eq!(said(&bare.press("8").body()), nothing);
@@ -99,7 +99,7 @@ fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
         shown.contains("no load and no mass") && shown.contains("stroke"),
         "{shown}"
     );
-    // There is nothing to write, and that is said.
+    // Y reports that there is nothing to write.
     let before = said(&bare.press("[").look());
     let after = said(&bare.press("Y").look());
     let count = |text: &str| text.matches("no load and no mass").count();
@@ -107,7 +107,7 @@ fn where_nothing_acts_that_is_said_and_a_ram_is_still_told_of() {
 }
 
 #[test]
-fn the_cursor_goes_with_the_driver_and_round_after_the_loads_cycle() {
+fn cursor_follows_driver_and_wraps_after_load_cycle() {
     let mut session = Session::new(preset("engine"), Glyphs::Ascii, 100, 30);
     let at = |session: &mut Session, place: &str| {
         session.press("8 g").type_in(place).press("Enter").body()
@@ -119,14 +119,14 @@ fn the_cursor_goes_with_the_driver_and_round_after_the_loads_cycle() {
 }
 
 #[test]
-fn an_edit_is_seen_at_once() {
+fn view_depends_on_loads_and_returns_with_scene() {
     let mut session = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
     let before = session.press("8").body();
     let heavier = text("four-bar-load").replace("[0, -500]", "[0, -600]");
     let origin = Origin::Preset("four-bar-load".into());
     let mut other = Session::new(open(&heavier, origin), Glyphs::Ascii, 80, 24);
     assert_ne!(other.press("8").body(), before);
-    // Back from another scene, what was seen is seen again.
+    // Returning from another scene shows the same view again.
     session.press("n");
     assert_ne!(session.body(), before);
     session.press("p");
@@ -134,7 +134,7 @@ fn an_edit_is_seen_at_once() {
 }
 
 #[test]
-fn the_cycle_can_be_taken_out() {
+fn cycle_is_written_and_copied() {
     let folder = folder("take");
     let mut session = Session::new(preset("four-bar-load"), Glyphs::Ascii, 80, 24);
     let mut take = |key: &str, ending: &str| {
@@ -165,7 +165,7 @@ fn the_cycle_can_be_taken_out() {
 }
 
 #[test]
-fn no_preset_leaves_the_screen_empty_or_broken() {
+fn every_preset_shows_text_without_nan_or_infinity() {
     for found in presets::all() {
         for (cols, rows) in SIZES {
             let mut session = Session::new(preset(found.name), Glyphs::Ascii, cols, rows);
@@ -179,9 +179,8 @@ fn no_preset_leaves_the_screen_empty_or_broken() {
     }
 }
 
-/// The screen in the manual is the one that is seen.
 #[test]
-fn the_screen_of_the_manual_is_real() {
+fn manual_screen_of_motor_matches_program() {
     let views = include_str!("../../src/manual/english/views.md");
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 80, 18);
     let screen = session.press("8").look();

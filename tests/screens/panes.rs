@@ -1,4 +1,4 @@
-//! The screen as a whole: the line of tabs, panes side by side, which of them a key belongs to, and the list of
+//! Tests the screen as a whole: tabs, panes, the dispatch of keys to panes, and the list of
 //! commands.
 
 use crate::claims::{assert_told, figures};
@@ -12,7 +12,7 @@ fn tabs(session: &mut Session) -> String {
     session.look().lines().next().unwrap().to_owned()
 }
 
-/// A workbench with a configuration.
+/// Opens a workbench with a configuration.
 fn configured(text: &str, cols: u16, rows: u16) -> Session {
     let config = Config::parse(text, "config.toml").unwrap();
     let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, cols, rows);
@@ -20,7 +20,7 @@ fn configured(text: &str, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn tabs_name_the_views_and_mark_the_one_that_is_looked_at() {
+fn tabs_name_views_and_mark_the_active_one() {
     let mut wide = four_bar(120, 40);
     let line = "[1 Motion] 2 Tables  3 Plots  4 Accuracy  5 Forces  6 Scene  7 Working  8 Motor  9 Lengths";
     assert!(tabs(&mut wide).starts_with(line));
@@ -35,7 +35,7 @@ fn tabs_name_the_views_and_mark_the_one_that_is_looked_at() {
 }
 
 #[test]
-fn tab_goes_through_all_views_and_shift_tab_back() {
+fn tab_cycles_through_views_and_shift_tab_goes_back() {
     for (cols, rows) in [(80, 24), (120, 40), (200, 60)] {
         let mut session = four_bar(cols, rows);
         let mut seen = Vec::new();
@@ -51,12 +51,12 @@ fn tab_goes_through_all_views_and_shift_tab_back() {
 }
 
 #[test]
-fn a_view_with_nothing_to_show_is_dim_and_says_why() {
+fn tab_of_empty_view_is_dim_and_view_explains_why() {
     let mut session = four_bar(80, 24);
     session.look();
     let dims = |session: &Session| -> String {
         let cells = (0..80).map(|col| session.terminal.screen().cell(0, col).unwrap());
-        // Of a blank nobody sees whether it is dim.
+        // Dim blanks are invisible.
         let dim = cells.filter(|cell| cell.dim() && cell.contents().trim() != "");
         dim.map(|cell| cell.contents().to_owned()).collect()
     };
@@ -71,9 +71,10 @@ fn a_view_with_nothing_to_show_is_dim_and_says_why() {
     assert_eq!(dims(&loaded), "");
 }
 
-/// Drawing, tables and a plot together; in a third column the scene; on smaller screens what there is room for.
+/// A large screen shows drawing, tables and plot, a wider one also the scene; smaller screens show
+/// what fits.
 #[test]
-fn panes_stand_together_where_there_is_room() {
+fn pane_layout_follows_screen_size() {
     for name in SIX {
         let opened = || {
             open(
@@ -105,7 +106,7 @@ fn panes_stand_together_where_there_is_room() {
                 "{screen}"
             );
         }
-        // The same orientation at every size between.
+        // The orientation is the same at all sizes in between.
         for (cols, rows) in [(110, 34), (140, 50), (160, 60), (189, 90)] {
             let screen = shown(cols, rows);
             assert!(
@@ -116,9 +117,9 @@ fn panes_stand_together_where_there_is_room() {
     }
 }
 
-/// What is said of the motion is seen wherever there are panes: no fewer figures than on a smaller screen.
+/// A larger screen shows no fewer numbers than a smaller one.
 #[test]
-fn a_larger_screen_shows_no_fewer_figures() {
+fn larger_screens_show_no_fewer_values() {
     for name in SIX {
         let mut before = 0;
         for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
@@ -134,7 +135,7 @@ fn a_larger_screen_shows_no_fewer_figures() {
 }
 
 #[test]
-fn a_view_that_stands_nowhere_gets_the_place_beside_the_drawing() {
+fn view_without_pane_opens_next_to_drawing() {
     let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, 120, 40);
     let screen = session.press("5").look();
     assert!(
@@ -142,7 +143,7 @@ fn a_view_that_stands_nowhere_gets_the_place_beside_the_drawing() {
         "{screen}"
     );
     assert!(screen.contains("force on"), "{screen}");
-    // It stays while another pane is looked at, and its figures follow.
+    // It stays while another pane is active, and its values follow.
     let screen = session.press(";").look();
     assert!(
         screen.contains("+- forces --") && screen.contains("-[plots]--"),
@@ -156,12 +157,12 @@ fn a_view_that_stands_nowhere_gets_the_place_beside_the_drawing() {
     assert_ne!(torque(&moved), torque(&screen));
     assert!(session.press("2").look().contains("+-[tables]--"));
     assert!(session.last_line().contains("; pane  O alone"));
-    // Back where it was, with nothing left to find.
+    // The tables return to their place, and no forces remain.
     assert!(!session.look().contains("force on"));
 }
 
 #[test]
-fn the_pane_that_is_looked_at_takes_the_screen_and_gives_it_back() {
+fn pane_can_be_maximized_and_restored() {
     let mut session = four_bar(120, 40);
     let all = session.press("2").look();
     let alone = session.press("O").look();
@@ -178,7 +179,7 @@ fn the_pane_that_is_looked_at_takes_the_screen_and_gives_it_back() {
 }
 
 #[test]
-fn the_line_between_the_panes_is_moved() {
+fn split_between_panes_can_be_moved() {
     let bar = |session: &mut Session| {
         let screen = session.look();
         screen.lines().nth(1).unwrap().find(['|', '+']).unwrap()
@@ -195,7 +196,7 @@ fn the_line_between_the_panes_is_moved() {
 }
 
 #[test]
-fn layouts_have_names_and_a_key() {
+fn layouts_are_set_by_name_and_cycled_by_key() {
     let mut session = configured("layout = \"lecture\"", 120, 40);
     let screen = session.look();
     assert!(
@@ -219,9 +220,9 @@ fn layouts_have_names_and_a_key() {
     assert!(wrong.unwrap_err().to_string().contains("three"));
 }
 
-/// Left and Right, h, l and Home used to turn the crank inside lists.
+/// Regression test: Left, Right, h, l and Home turned the crank inside lists.
 #[test]
-fn in_lists_keys_belong_to_the_list_and_the_crank_stands() {
+fn list_keys_do_not_move_the_crank() {
     for (cols, rows) in [(80, 24), (120, 40)] {
         for view in ["2", "3", "4", "5", "6", "7", "8", "9"] {
             let mut session = Session::new(preset("press-ram"), Glyphs::Ascii, cols, rows);
@@ -230,7 +231,7 @@ fn in_lists_keys_belong_to_the_list_and_the_crank_stands() {
                 "Left", "Right", "h", "l", "Home", "End", "Ctrl-D", "Ctrl-U", "G", "g g", "k", "j",
             ] {
                 session.press(key);
-                // Where a study runs, its progress stands in the place of the angle.
+                // While a study runs, its progress replaces the angle.
                 let line = session.press("1").last_line();
                 assert!(line.contains(" 60.00 deg"), "{view} {key}: {line}");
                 session.press(view);
@@ -247,7 +248,7 @@ fn in_lists_keys_belong_to_the_list_and_the_crank_stands() {
 }
 
 #[test]
-fn lists_go_to_their_ends_and_are_searched() {
+fn lists_scroll_to_their_ends_and_can_be_searched() {
     for view in ["2", "6", "7", "9"] {
         let mut session = four_bar(80, 24);
         let top = session.press(view).body();
@@ -268,11 +269,11 @@ fn lists_go_to_their_ends_and_are_searched() {
 }
 
 #[test]
-fn what_a_pane_does_not_take_goes_to_the_drawing_beside_it() {
+fn unhandled_keys_go_to_the_visible_drawing() {
     let mut session = four_bar(120, 40);
     let line = session.press("2 v").last_line();
     assert!(line.contains("velocity arrows on"), "{line}");
-    // Alone, there is nothing that could take it, and that is said.
+    // In a maximized pane, no drawing can handle it, and a message reports that.
     let line = session.press("O v").last_line();
     assert!(
         line.contains("v does nothing here; ? lists the keys"),
@@ -281,7 +282,7 @@ fn what_a_pane_does_not_take_goes_to_the_drawing_beside_it() {
 }
 
 #[test]
-fn commands_are_listed_and_searched_loosely() {
+fn commands_are_listed_and_fuzzily_searched() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let mut session = four_bar(cols, rows);
         let before = session.body();
@@ -292,7 +293,7 @@ fn commands_are_listed_and_searched_loosely() {
         session.press(":").type_in("velocit").press("Enter");
         let line = session.last_line();
         assert!(line.contains("velocity arrows on"), "{line}");
-        // What belongs to another view leads there.
+        // A command of another view opens that view.
         session.press(":").type_in("choose plots").press("Enter");
         assert!(session.look().contains("plot what?"));
         session.press("Esc :").type_in("zzzz");
@@ -308,9 +309,10 @@ fn commands_are_listed_and_searched_loosely() {
     }
 }
 
-/// What a frame costs while it plays: true colours, one view at 80 x 24, and panes.
+/// Limits the median size of a frame while playing, in true colours: one view at 80 x 24, and panes
+/// on larger screens.
 #[test]
-fn panes_cost_few_bytes() {
+fn median_frame_with_panes_costs_few_bytes() {
     for (cols, rows, most) in [(80, 24, 500), (120, 40, 2000), (200, 60, 4000)] {
         let opened = preset("four-bar");
         let mut workbench = Workbench::new(opened, Glyphs::Braille, Colours::True, cols, rows);
@@ -328,9 +330,10 @@ fn panes_cost_few_bytes() {
     }
 }
 
-/// Left and Right turned pages over the drawing alone, Home and Ctrl-D went nowhere there.
+/// Regression test: Left and Right turned pages only over the drawing, and Home and Ctrl-D did
+/// nothing there.
 #[test]
-fn help_has_the_same_keys_whatever_lies_below_it() {
+fn help_keys_work_over_every_view() {
     for view in ["1", "2", "5", "6"] {
         let mut session = four_bar(80, 24);
         let first = session.press(view).press("?").body();
@@ -344,9 +347,9 @@ fn help_has_the_same_keys_whatever_lies_below_it() {
     }
 }
 
-/// What was found on the last screen was found again and again.
+/// Regression test: a repeated search found hits on the last screen again and again.
 #[test]
-fn what_is_sought_again_is_found_further_on_and_marked() {
+fn repeated_search_advances_and_marks_hits() {
     let mut session = four_bar(80, 24);
     session.press("7 /").type_in("r4").press("Enter");
     let mut met = Vec::new();
@@ -368,9 +371,9 @@ fn what_is_sought_again_is_found_further_on_and_marked() {
     assert!(!session.body().contains('>'));
 }
 
-/// A key that lists take for themselves was nothing in all but the tables, and said nothing.
+/// Regression test: sideways keys did nothing without a message in all lists but the tables.
 #[test]
-fn what_has_nothing_at_its_side_says_so() {
+fn sideways_key_without_columns_reports_it() {
     let mut session = four_bar(120, 40);
     for key in ["Left", "h", "l", "Right"] {
         let line = session.press("1 7").press(key).last_line();
@@ -380,7 +383,7 @@ fn what_has_nothing_at_its_side_says_so() {
 }
 
 #[test]
-fn what_is_looked_at_stays_beside_the_drawing_in_another_layout() {
+fn layout_change_keeps_the_active_view() {
     let mut session = four_bar(120, 40);
     session.press("5 | |").press(";");
     assert!(session.look().contains("forces"), "{}", session.look());
@@ -388,9 +391,9 @@ fn what_is_looked_at_stays_beside_the_drawing_in_another_layout() {
     assert!(session.look().contains("forces"), "{}", session.look());
 }
 
-/// Where there is no room for anything else, what can lose something is read all the same.
+/// Even on the smallest screen, a question about possible loss of edits is readable.
 #[test]
-fn a_question_is_read_on_the_smallest_screen() {
+fn prompts_are_readable_on_tiny_screens() {
     let mut session = four_bar(80, 24);
     session.press("6 Down >").resize(30, 8).press("q");
     let screen = session.look();

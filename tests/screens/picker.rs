@@ -1,5 +1,4 @@
-//! Choosing a scene in the workbench, driven by keys: presets, files, and folders with whatever people
-//! and programs leave in them.
+//! Tests the scene picker, driven by keys: presets, files, and folders with arbitrary content.
 
 use crate::claims::{assert_told, pane, said};
 use crate::screen::{SCREENS, Session, folder, open, text};
@@ -9,7 +8,7 @@ use krank::tui::Origin;
 use std::fs;
 use std::time::Duration;
 
-/// The four-bar as a file of a folder that has some more scenes in it.
+/// Opens the four-bar as a file in a folder with some more scenes.
 fn among_files(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let folder = folder(name).join("scenes");
     fs::create_dir(&folder).unwrap();
@@ -24,11 +23,11 @@ fn among_files(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     Session::new(open(text("four-bar"), origin), glyphs, cols, rows)
 }
 
-/// The screen without the path of the folder, which is another on every machine.
+/// Masks the path of the folder, which differs between machines.
 fn masked(screen: &str) -> String {
     const END: &str = "/scenes";
     let line = |line: &str| match line.find(END) {
-        // What stands beside it keeps its columns.
+        // The text next to it keeps its columns.
         Some(at) => {
             let (path, rest) = line.split_at(at + END.len());
             let room = path.chars().count().saturating_sub(2);
@@ -40,14 +39,14 @@ fn masked(screen: &str) -> String {
 }
 
 #[test]
-fn presets_and_files_stand_beside_what_they_show() {
+fn picker_lists_presets_and_files_with_preview() {
     for (name, glyphs, cols, rows) in SCREENS {
         let mut session = among_files(name, glyphs, cols, rows);
         let screen = masked(&session.press("o").look());
         if ["ascii-80x24", "braille-120x40", "ascii-40x12"].contains(&name) {
             insta::assert_snapshot!(format!("picker-{name}"), screen);
         }
-        // The list is the same in all glyphs, and what is said below the drawing.
+        // The list, and the text below the drawing, are the same in all glyphs.
         let mut plain = among_files(&format!("{name}-plain"), Glyphs::Ascii, cols, rows);
         let plain = masked(&plain.press("o").look());
         assert_eq!(pane(&screen, false), pane(&plain, false));
@@ -64,7 +63,7 @@ fn presets_and_files_stand_beside_what_they_show() {
 }
 
 #[test]
-fn what_cannot_be_opened_says_why_and_where() {
+fn invalid_file_explains_its_error() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let name = format!("fault-{cols}x{rows}");
         let mut session = among_files(&name, Glyphs::Ascii, cols, rows);
@@ -85,7 +84,7 @@ fn what_cannot_be_opened_says_why_and_where() {
                 " open  the scene has no links: nothin.."
             );
         }
-        // Asked for, it is said again, and the list stays.
+        // Enter repeats the error, and the list stays open.
         let line = session.press("Enter").last_line();
         assert!(line.starts_with(" open "), "{line}");
         assert!(session.press("Esc").last_line().contains("mine.toml"));
@@ -93,7 +92,7 @@ fn what_cannot_be_opened_says_why_and_where() {
 }
 
 #[test]
-fn typing_narrows_the_list_at_once() {
+fn typing_filters_the_list_immediately() {
     let mut session = among_files("search", Glyphs::Ascii, 80, 24);
     let screen = session.press("o").type_in("ram").look();
     let found = "presets > press-ram parallelogram antiparallelogram triple-parallelogram";
@@ -107,7 +106,7 @@ fn typing_narrows_the_list_at_once() {
         "open Press with a ram Enter open Esc back",
     ];
     assert_told(&screen, &told);
-    // Titles are searched as well as names, word by word, and letters are never keys.
+    // The filter matches titles as well as names, word by word, and letters are never keys.
     let screen = session
         .press("Ctrl-U")
         .type_in("LEG")
@@ -128,13 +127,13 @@ fn typing_narrows_the_list_at_once() {
     let nothing = session.type_in("q?").look();
     assert!(nothing.contains("no match; Ctrl-U"), "{nothing}");
     assert!(nothing.contains("0 of 40"), "{nothing}");
-    // There is nothing under the cursor, and Enter does nothing.
+    // The list is empty, and Enter does nothing.
     assert_eq!(session.press("Enter Down Up PgDn Right").look(), nothing);
     assert!(session.press("Ctrl-U").look().contains("40 of 40"));
 }
 
 #[test]
-fn nothing_is_opened_before_enter_and_nothing_changes_by_looking() {
+fn browsing_changes_nothing_until_enter_opens() {
     let mut session = among_files("esc", Glyphs::Ascii, 80, 24);
     let before = session.press("2 . . ]").look();
     session
@@ -146,16 +145,16 @@ fn nothing_is_opened_before_enter_and_nothing_changes_by_looking() {
 }
 
 #[test]
-fn a_file_opens_and_folders_are_walked() {
+fn files_open_and_folders_can_be_entered_and_left() {
     let mut session = among_files("walk", Glyphs::Ascii, 80, 24);
-    // The open file is under the cursor.
+    // The cursor starts at the open file.
     assert!(session.press("o").look().contains("> mine.toml"));
     let inside = session.press("Up Up Enter").look();
     assert!(
         inside.contains("> lift.toml") && inside.contains("| Scissor lift"),
         "{inside}"
     );
-    // Out again, the folder that was left is under the cursor.
+    // After leaving a folder, the cursor is on it.
     let outside = session.press("Left").look();
     assert!(
         outside.contains("> old/") && outside.contains("| lift.toml"),
@@ -168,12 +167,12 @@ fn a_file_opens_and_folders_are_walked() {
     let opened = session.press("Right Enter").look();
     assert!(opened.contains("\n Scissor lift "), "{opened}");
     assert!(opened.contains("lift.toml"), "{opened}");
-    // It is listed from its own folder now.
+    // The picker now lists the file's own folder.
     assert!(session.press("o").look().contains("> lift.toml"));
 }
 
 #[test]
-fn what_was_playing_goes_on_where_it_was() {
+fn playback_pauses_during_picker_and_resumes() {
     let mut session = among_files("playing", Glyphs::Ascii, 80, 24);
     session.press("space");
     session.workbench.pass(Duration::from_millis(500));
@@ -189,10 +188,10 @@ fn what_was_playing_goes_on_where_it_was() {
     );
 }
 
-/// Whatever lies in a folder is listed, and said in words; nothing of it acts on the terminal, and
-/// nothing keeps whoever looks at it waiting.
+/// All entries of a folder are listed and described; none of them acts on the terminal or blocks
+/// the user.
 #[test]
-fn nasty_folders_are_harmless() {
+fn hostile_folders_are_listed_without_harm() {
     use std::os::unix::ffi::OsStrExt;
     use std::os::unix::fs::symlink;
     let folder = folder("nasty");
@@ -246,7 +245,7 @@ fn nasty_folders_are_harmless() {
             "{screen}"
         );
     }
-    // Enter says the same in the last line, and the list stays.
+    // Enter shows the error in the last line, and the list stays open.
     for name in [
         "dangling", "loop", "pipe", "tty", "zero", "huge", "large", "nought",
     ] {
@@ -258,7 +257,7 @@ fn nasty_folders_are_harmless() {
         assert!(line.starts_with(" open "), "{line}");
         assert!(line.len() > 20, "{line}");
     }
-    // The whole list, from one end to the other.
+    // Scrolls through the whole list.
     session.press("Ctrl-U Home");
     for _ in 0..40 {
         let screen = session.press("Down").look();
@@ -272,7 +271,7 @@ fn nasty_folders_are_harmless() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_read_is_said_and_can_be_left() {
+fn unreadable_folder_is_reported_and_can_be_left() {
     let folder = folder("gone");
     let inner = folder.join("inner");
     fs::create_dir(&inner).unwrap();
@@ -280,7 +279,7 @@ fn a_folder_that_cannot_be_read_is_said_and_can_be_left() {
     let mut session = Session::new(open(text("four-bar"), origin), Glyphs::Ascii, 80, 24);
     let empty = session.press("o").look();
     assert!(empty.contains("no scene file here"), "{empty}");
-    // The first preset is under the cursor, and shown.
+    // The cursor is on the first preset, with its preview.
     assert!(empty.contains("> four-bar"), "{empty}");
     fs::remove_dir(&inner).unwrap();
     let gone = session.press("Esc o").look();
@@ -291,7 +290,7 @@ fn a_folder_that_cannot_be_read_is_said_and_can_be_left() {
 }
 
 #[test]
-fn ten_thousand_files_are_a_list_like_any_other() {
+fn ten_thousand_files_are_listed_and_searched() {
     let folder = folder("many");
     for n in 0..10_000 {
         fs::write(folder.join(format!("scene-{n:04}.toml")), "").unwrap();
@@ -311,9 +310,9 @@ fn ten_thousand_files_are_a_list_like_any_other() {
     fs::remove_dir_all(&folder).unwrap();
 }
 
-/// Everything that is printable is searched for, and what is pasted too.
+/// All printable characters extend the search.
 #[test]
-fn no_key_does_harm() {
+fn printable_keys_search_and_other_keys_do_no_harm() {
     let mut session = among_files("keys", Glyphs::Ascii, 40, 12);
     session.press("o");
     for c in ' '..='~' {

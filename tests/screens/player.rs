@@ -1,4 +1,4 @@
-//! Moving the crank: where it is told to go, step by step, and playing.
+//! Tests moving the crank: go to, single steps and playback.
 
 use crate::screen::{SWINGING, Session, open, preset};
 use krank::drawing::Glyphs;
@@ -9,7 +9,7 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn goes_where_it_is_told_and_says_where_it_cannot() {
+fn go_to_reaches_typed_angle_or_reports_range() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     let typed = session.press("g 1 2 3 . 5").last_line();
     assert_eq!(typed, " go to  angle [deg]: 123.5    Enter go  Esc cancel");
@@ -40,7 +40,7 @@ fn goes_where_it_is_told_and_says_where_it_cannot() {
         refused.ends_with("out of reach: -82.81 to 82.81 deg"),
         "{refused}"
     );
-    // The same direction a turn away is meant.
+    // An angle one turn away names the same direction.
     let reached = session.press("Ctrl-U 4 2 0 Enter").last_line();
     assert!(
         reached.ends_with("60.00 deg  taken as 60.00 deg"),
@@ -67,11 +67,11 @@ fn steps_are_exact_decimals() {
 }
 
 #[test]
-fn plays_a_turn_in_four_seconds_and_pauses_without_a_byte() {
+fn turn_plays_in_four_seconds_and_pause_paints_nothing() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     session.press("space").pass(1.0);
     assert!(session.last_line().contains("  150.00 deg  ok"));
-    // A line that hangs for a turn and more drops frames, not truth.
+    // A terminal that blocks for more than a turn drops frames but keeps the time.
     assert!(
         session
             .pass(5.0)
@@ -89,7 +89,7 @@ fn plays_a_turn_in_four_seconds_and_pauses_without_a_byte() {
 }
 
 #[test]
-fn a_crank_that_cannot_turn_goes_to_and_fro() {
+fn playback_reverses_at_limits_of_the_motion() {
     let opened = open(SWINGING, Origin::Stdin);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("space");

@@ -1,4 +1,4 @@
-//! The plots view, its list, and its empty states, as a terminal shows them.
+//! Tests the plots view, its list, and its empty states.
 
 use crate::claims::assert_told;
 use crate::screen::{Session, open, preset};
@@ -9,7 +9,7 @@ use krank::tui::{Colours, Origin, Workbench};
 use proptest::prelude::*;
 use std::time::{Duration, Instant};
 
-/// A driver of no speed: no time passes, and every rate is 0.
+/// A driver without speed: no time passes, and every rate is 0.
 const STILL: &str = r#"
 name = "Still"
 unit = "mm"
@@ -29,14 +29,14 @@ C = [90, 50]
 "#;
 
 #[test]
-fn the_first_look_shows_how_the_output_turns() {
+fn default_plot_shows_output_motion() {
     let shown = |glyphs, cols, rows| {
         let mut session = Session::new(preset("four-bar"), glyphs, cols, rows);
         session.press("3").body()
     };
     insta::assert_snapshot!("plots-braille-80x24", shown(Glyphs::Braille, 80, 24));
     insta::assert_snapshot!("plots-line-40x12", shown(Glyphs::Line, 40, 12));
-    // A slider's output, and a point's where there is nothing else on the ground.
+    // The default is the output's rate or position, for a slider and for a rocker.
     let first = |name| {
         let mut session = Session::new(preset(name), Glyphs::Ascii, 80, 24);
         session.press("3").body()
@@ -46,7 +46,7 @@ fn the_first_look_shows_how_the_output_turns() {
 }
 
 #[test]
-fn the_list_chooses_what_is_plotted() {
+fn list_selects_plotted_columns() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("C. mm/s");
     session.press("Enter");
@@ -55,7 +55,7 @@ fn the_list_chooses_what_is_plotted() {
     assert!(!listed.contains("[ ] B.vx"), "{listed}");
     session.press("Enter Down space");
     insta::assert_snapshot!("plots-list-ascii-80x24", session.look());
-    // Esc ends the search, then the list; what was chosen stays.
+    // Esc closes the search, then the list; the selection stays.
     session.press("Esc");
     assert!(session.look().contains("[ ] B.vx"));
     session.press("Esc");
@@ -64,7 +64,7 @@ fn the_list_chooses_what_is_plotted() {
         plotted.contains("* C.vx") && plotted.contains("x C.vy"),
         "{plotted}"
     );
-    // On a small screen the list stands alone.
+    // On a small screen the list fills the screen.
     let mut small = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 13);
     let told = [
         "plot what? 2 of 63",
@@ -79,10 +79,10 @@ fn the_list_chooses_what_is_plotted() {
     assert!(small.look().contains("no column matches"));
 }
 
-/// In the list a key opens all that the figure under the cursor does over the motion, on a small screen too; the list
-/// stands behind it.
+/// A key in the list opens the analysis of the selected value over the whole motion, on a small
+/// screen too. Esc returns to the list.
 #[test]
-fn the_list_opens_the_whole_cycle_of_a_figure() {
+fn list_opens_cycle_analysis_of_a_column() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
         session.press("3 x / r 4 . a n g l e Enter o");
@@ -107,16 +107,16 @@ fn the_list_opens_the_whole_cycle_of_a_figure() {
     }
 }
 
-/// The steering error is what the scene is about.
+/// The scene defines the steering error as an expression.
 #[test]
-fn figures_of_the_scene_come_first() {
+fn expressions_of_the_scene_are_plotted_first() {
     let mut session = Session::new(preset("ackermann"), Glyphs::Ascii, 80, 24);
     let shown = session.press("3").look();
     assert!(shown.contains("* error"), "{shown}");
 }
 
 #[test]
-fn the_cursor_and_its_values_follow_the_driver() {
+fn cursor_and_its_values_follow_driver() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 100, 24);
     let before = session.press("3").look();
     assert!(before.contains("over driver.angle  60.00 deg"), "{before}");
@@ -127,14 +127,14 @@ fn the_cursor_and_its_values_follow_the_driver() {
     let after = session.press(".").look();
     assert!(after.contains("over driver.angle  65.00 deg"), "{after}");
     assert_ne!(before, after);
-    // A turn later the cursor is where it was.
+    // One turn later the cursor is at the same place.
     session.press("g").type_in("425");
     let turned = session.press("Enter").look();
     assert!(turned.contains("over driver.angle  65.00 deg"), "{turned}");
 }
 
 #[test]
-fn x_stands_for_the_driver_then_time_then_each_figure() {
+fn x_axis_key_cycles_driver_time_and_plotted_columns() {
     let mut session = Session::new(preset("hoecken"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("P.");
     session.press("Enter Enter Down Enter Esc Esc");
@@ -155,26 +155,26 @@ fn x_stands_for_the_driver_then_time_then_each_figure() {
     let other = session.press("X").look();
     assert!(other.contains("over P.y"), "{other}");
     assert!(session.press("X").look().contains("over driver.angle"));
-    // Without a speed no time passes.
+    // Without a speed no time passes, so that the time axis is skipped.
     let still = open(STILL, Origin::Stdin);
     let mut still = Session::new(still, Glyphs::Ascii, 80, 24);
     assert!(still.press("3 X").look().contains("over r4.omega"));
 }
 
 #[test]
-fn empty_states_say_why_and_what_to_do() {
+fn empty_plot_explains_how_to_add_columns() {
     for (cols, rows) in [(80, 24), (40, 12)] {
         let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows);
         let nothing = session.press("3 x c Esc").look();
         assert!(nothing.contains("nothing is plotted yet"), "{nothing}");
         assert!(nothing.contains("x  choose what to plot"), "{nothing}");
-        // The road leads on.
+        // The offered key works.
         assert!(session.press("x Enter Esc").look().contains("* r2."));
     }
 }
 
 #[test]
-fn panels_that_have_no_room_are_scrolled_to() {
+fn panels_that_do_not_fit_are_reached_by_scrolling() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 40, 12);
     let first = session.press("3").look();
     assert!(
@@ -190,14 +190,14 @@ fn panels_that_have_no_room_are_scrolled_to() {
 }
 
 #[test]
-fn another_scene_begins_anew_and_another_assembly_keeps_the_choice() {
+fn selection_survives_assembly_change_but_not_scene_change() {
     let mut session = Session::new(preset("four-bar"), Glyphs::Ascii, 80, 24);
     session.press("3 x c /").type_in("C.x");
     session.press("Enter Enter Esc Esc");
     assert!(session.look().contains("* C.x"));
     session.press("a Down Enter 3");
     assert!(session.look().contains("* C.x"), "{}", session.look());
-    // Another assembly is an edit, which is asked about.
+    // A change of assembly is an edit, so that leaving the scene asks.
     assert!(!session.press("n d").look().contains("* C.x"));
 }
 
@@ -229,7 +229,7 @@ fn curves_are_written_as_csv_and_as_svg() {
             );
         }
     }
-    // Where nothing is plotted there is nothing to write.
+    // Without a plot there is nothing to write.
     session.press("x c Esc Y");
     assert!(session.look().contains("there is no plot to write"));
 }
@@ -242,7 +242,7 @@ fn plot_every_value(glyphs: Glyphs, cols: u16, rows: u16) {
         let mut bench = Workbench::new(preset(entry.name), glyphs, Colours::Sixteen, cols, rows);
         bench.press("3");
         for (k, figure) in figures.iter().enumerate() {
-            // One alone, and then one beside it, against what comes next.
+            // Alternates between a single curve and a second one, and sometimes changes the x axis.
             bench.press(if k % 2 == 0 { "x c /" } else { "x /" });
             figure.name.chars().for_each(|c| {
                 bench.press(&c.to_string());
@@ -260,7 +260,7 @@ fn plot_every_value(glyphs: Glyphs, cols: u16, rows: u16) {
 }
 
 #[test]
-fn every_value_of_every_preset_is_plotted_in_7_bits() {
+fn every_value_of_every_preset_is_plotted_in_ascii() {
     plot_every_value(Glyphs::Ascii, 80, 24);
 }
 
@@ -277,7 +277,7 @@ fn every_value_of_every_preset_is_plotted_in_a_large_window() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
     #[test]
-    fn any_keys_at_any_size_paint_a_frame(
+    fn random_keys_and_sizes_do_not_panic(
         keys in prop::collection::vec(prop::sample::select(vec![
             "x", "X", "m", "c", "space", "Enter", "Esc", "Up", "Down", "PgDn", "/", "v", ".", "g", "n", "a", "t", "1", "3", "?",
             "Backspace", "Home", "r",
@@ -301,7 +301,7 @@ proptest! {
     }
 }
 
-/// A four-bar whose rocker drives another one, and so on: a chain of so many dyads.
+/// Returns a chain of this many dyads: a four-bar whose rocker drives another one, and so on.
 fn chain(dyads: usize) -> String {
     let mut text = String::from(
         "name = \"Chain\"\nunit = \"mm\"\n[driver]\nlink = \"crank\"\nangle = 60\nspeed = \"15 rad/s\"\n",
@@ -324,21 +324,21 @@ fn chain(dyads: usize) -> String {
     text
 }
 
-/// A chain is plotted by its last rocker, which needs all that is before it.
+/// The default plot shows the last rocker, which depends on all other links.
 #[test]
-fn a_chain_of_dyads_is_plotted() {
+fn chain_of_dyads_is_plotted() {
     let mut session = Session::new(open(&chain(40), Origin::Stdin), Glyphs::Ascii, 80, 24);
     let text = session.press("3").look();
     assert!(text.contains("* s40.omega"), "{text}");
     assert!(text.contains("driver.angle"), "{text}");
 }
 
-/// How long the view of a chain of 1,000 dyads takes to open, and a step in it: in release, with
-/// `--ignored --nocapture`.
+/// Measures the time to open the view of a chain of 1,000 dyads, and to step in it. Run in release,
+/// with `--ignored --nocapture`.
 #[test]
 #[ignore = "a measurement, not a test"]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn cost_of_a_long_chain() {
+fn measure_plots_of_a_long_chain() {
     let opened = open(&chain(1000), Origin::Stdin);
     let mut bench = Workbench::new(opened, Glyphs::Braille, Colours::Sixteen, 200, 60);
     bench.paint();
@@ -350,11 +350,12 @@ fn cost_of_a_long_chain() {
     }
 }
 
-/// What a frame costs at 200 x 60 while it plays: run in release, with `--ignored --nocapture`.
+/// Measures the time of a frame at 200 x 60 while playing. Run in release, with `--ignored
+/// --nocapture`.
 #[test]
 #[ignore = "a measurement, not a test"]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn cost_of_a_frame() {
+fn measure_frame_with_plots() {
     for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
         let mut bench = Workbench::new(preset("four-bar"), glyphs, Colours::Sixteen, 200, 60);
         bench.press("3 x c /");
@@ -383,9 +384,9 @@ fn cost_of_a_frame() {
     }
 }
 
-/// The mark of what is chosen in the list, its curve, its row in the tables and its link in the drawing are of one hue.
+/// The mark in the list, the curve and the link in the drawing have the same hue.
 #[test]
-fn a_curve_has_the_hue_of_its_link() {
+fn curve_and_list_mark_have_hue_of_their_link() {
     let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Indexed, 120, 40);
     let mut session = Session::on(workbench, 120, 40);
     session.press("3 x / r 4 . o m e g a Enter");

@@ -1,4 +1,4 @@
-//! Editing the scene in the workbench, driven by key scripts, as a terminal shows it.
+//! Tests editing in the scene view, driven by key scripts.
 
 use crate::claims::{assert_told, pane};
 use crate::screen::{self, Session, four_bar};
@@ -6,11 +6,11 @@ use krank::drawing::Glyphs;
 use krank::scene::presets;
 use proptest::prelude::*;
 
-/// What is done and seen in the list of values.
+/// Actions on the list of values.
 pub(crate) trait Values {
-    /// Goes to a value.
+    /// Moves the cursor to a value.
     fn find(&mut self, name: &str) -> &mut Self;
-    /// The row under the cursor, without what is drawn beside it.
+    /// Returns the row under the cursor, without the drawing next to it.
     fn row(&mut self) -> String;
 }
 
@@ -28,9 +28,9 @@ impl Values for Session {
 }
 
 #[test]
-fn lists_every_value() {
+fn scene_view_lists_every_value() {
     insta::assert_snapshot!("scene-120x40", four_bar(120, 40).press("6").look());
-    // On the smallest screen the list stands alone, and goes on below.
+    // On the smallest screen, the list fills the screen and can be scrolled.
     let told = [
         "nudge by 2 mm",
         "> A x 0 mm",
@@ -47,7 +47,7 @@ fn lists_every_value() {
 }
 
 #[test]
-fn a_value_is_typed_with_a_unit_and_everything_follows() {
+fn typed_value_with_unit_updates_list_and_drawing() {
     for (cols, rows) in [(80, 24), (40, 13)] {
         let mut session = four_bar(cols, rows);
         session
@@ -67,7 +67,8 @@ fn a_value_is_typed_with_a_unit_and_everything_follows() {
         ];
         assert_told(&typing, &told);
         let drawn_before = pane(&session.body(), true);
-        // It is taken: marked as changed in its row and in the last line, with what it was.
+        // The value is accepted and marked as changed, in its row with the previous value and in
+        // the last line.
         let changed = session.press("Enter").look();
         let told = if cols == 80 {
             [
@@ -83,7 +84,7 @@ fn a_value_is_typed_with_a_unit_and_everything_follows() {
             ]
         };
         assert_told(&changed, &told);
-        // The other values stay as they are, and the linkage beside them has another crank.
+        // The other values are unchanged, and the drawing next to them shows the new crank.
         let values = |screen: &str| -> Vec<String> {
             let rows = screen.lines().skip(2).filter(|row| row.starts_with("   "));
             rows.map(|row| row.chars().take(43).collect()).collect()
@@ -95,9 +96,10 @@ fn a_value_is_typed_with_a_unit_and_everything_follows() {
     }
 }
 
-/// What cannot be is said at once, and the last good state stays: in the row, in the drawing, in all views.
+/// An invalid value is reported immediately, and the last valid state stays in the row, in the
+/// drawing and in all views.
 #[test]
-fn what_cannot_be_leaves_the_last_good_state() {
+fn invalid_edit_keeps_last_valid_state() {
     let mut session = four_bar(80, 24);
     session.press("6").find("r3 len");
     let before = session.look();
@@ -119,7 +121,7 @@ fn what_cannot_be_leaves_the_last_good_state() {
         assert!(line.contains(said), "{line}");
         assert_eq!(session.press("Esc").look(), before, "{typed}");
     }
-    // Nudged until the linkage would open no more: there it stops.
+    // Nudging stops where the linkage would no longer open.
     session.find("r2 len");
     for _ in 0..12 {
         session.press("}");
@@ -131,7 +133,7 @@ fn what_cannot_be_leaves_the_last_good_state() {
 }
 
 #[test]
-fn nudges_follow_the_step_and_are_taken_back_as_one() {
+fn nudges_use_increment_and_are_undone_together() {
     let mut session = four_bar(80, 24);
     session.press("6").find("r2 len").press("> > >");
     assert_eq!(session.row(), ">*r2 length 103 mm 100");
@@ -150,9 +152,10 @@ fn nudges_follow_the_step_and_are_taken_back_as_one() {
     assert!(tables.contains("103.5"), "{tables}");
 }
 
-/// The angle that is looked at may be out of reach after an edit: the end is shown, and said so.
+/// If the current angle is out of reach after an edit, the nearest end of the range is shown with a
+/// message.
 #[test]
-fn the_driver_stays_where_it_is_as_far_as_it_can() {
+fn edit_keeps_driver_angle_unless_out_of_reach() {
     let mut session = four_bar(80, 24);
     session.press("g 1 8 0 Enter 6").find("r2 len");
     let line = session
@@ -167,7 +170,7 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
         .press("Enter")
         .last_line();
     assert!(line.contains("180.00 deg is out of reach now"), "{line}");
-    // The driver's own angle takes the linkage along.
+    // Editing the driver's own angle moves the linkage.
     session.press("u").find("driver angle").press("Enter");
     let line = session
         .type_in("1.5707963267948966 rad")
@@ -176,23 +179,23 @@ fn the_driver_stays_where_it_is_as_far_as_it_can() {
     assert!(line.contains("90.00 deg"), "{line}");
 }
 
-/// An edit never changes to the other assembly: where the text would, its [start] changed.
+/// An edit never switches to the other assembly: where the edited text would, `[start]` is changed.
 #[test]
-fn an_edit_keeps_the_assembly() {
+fn edit_keeps_assembly_unless_start_is_moved() {
     let mut session = four_bar(80, 24);
-    // With D so high, C = [310, 230] would be nearer to the other assembly: by hand, the circles about B
-    // and D meet at (158.9, 366.1) and (348.4, 55.4), which are 203 mm and 179 mm away.
+    // With D this high, C = [310, 230] would be nearer to the other assembly: by hand, the circles
+    // about B and D meet at (158.9, 366.1) and (348.4, 55.4), which are 203 mm and 179 mm away.
     session.press("6").find("D y").press("Enter");
     let line = session.type_in("300").press("Enter").last_line();
     assert!(line.contains("[start] changed"), "{line}");
     let screen = session.look();
     assert!(screen.contains("*C start x     158.9"), "{screen}");
     assert!(screen.contains("*C start y     366.1"), "{screen}");
-    // One step takes both back.
+    // One undo reverts both.
     let screen = session.press("u").look();
     assert!(screen.contains(" C start x     310 "), "{screen}");
     assert!(!screen.contains("four-bar*"), "{screen}");
-    // A start that is moved on purpose means the other assembly.
+    // A start that is moved on purpose selects the other assembly.
     let mut session = four_bar(80, 24);
     let before = session.look();
     assert!(before.contains("29.379"), "{before}");
@@ -214,7 +217,7 @@ fn an_edit_keeps_the_assembly() {
 }
 
 #[test]
-fn an_assembly_that_was_switched_is_an_edit_like_others() {
+fn switching_assembly_is_an_undoable_edit() {
     let mut session = four_bar(80, 24);
     session.press("a Enter");
     assert!(session.look().contains("302.825"));
@@ -254,10 +257,9 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// Whatever is typed and nudged, the scene stays one that opens; all of it taken back, the file is as
-    /// it was.
+    /// After any typing and nudging, undoing everything leaves the scene unchanged.
     #[test]
-    fn edits_never_leave_the_last_good_state(deeds in deeds(), preset in 0_usize..100) {
+    fn random_edits_can_all_be_undone(deeds in deeds(), preset in 0_usize..100) {
         let preset = &presets::all()[preset % presets::all().len()];
         let mut session = Session::new(screen::preset(preset.name), Glyphs::Ascii, 80, 24);
         session.press("6");

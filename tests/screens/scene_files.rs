@@ -1,4 +1,5 @@
-//! Scenes and their files: saved, read again when somebody else writes them, and recovered after a crash.
+//! Tests scenes and their files: saving, reloading after changes by other programs, and recovery
+//! after a crash.
 
 use crate::claims::{assert_told, said};
 use crate::scene::Values;
@@ -14,9 +15,9 @@ fn file(folder: &std::path::Path, text: &str) -> (std::path::PathBuf, Opened) {
     (file, opened)
 }
 
-/// Comments, line breaks of another system and the mark at the beginning stay.
+/// Comments, CRLF line endings and the byte order mark stay unchanged.
 #[test]
-fn a_file_is_saved_with_nothing_else_changed() {
+fn saving_changes_only_edited_values() {
     let text = format!("\u{feff}# mine\n{}", text("four-bar")).replace('\n', "\r\n");
     let (file, opened) = file(&folder("scene-saved"), &text);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
@@ -39,13 +40,13 @@ fn a_file_is_saved_with_nothing_else_changed() {
         !screen.contains("mine.toml*") && !screen.contains("rocker *"),
         "{screen}"
     );
-    // What is saved can be taken back, and is then unsaved.
+    // A saved edit can be undone, which is an unsaved edit again.
     session.press("u w");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), text);
 }
 
 #[test]
-fn a_file_that_cannot_be_written_keeps_the_edits() {
+fn failed_save_keeps_unsaved_edits() {
     let (file, opened) = file(&folder("scene-full"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
@@ -57,9 +58,9 @@ fn a_file_that_cannot_be_written_keeps_the_edits() {
     assert_eq!(std::fs::read_to_string(file).unwrap(), text("four-bar"));
 }
 
-/// The steps of a link that turns used to stay where a slide had taken its place.
+/// Regression test: the angular step stayed after a slide had replaced the turning driver.
 #[test]
-fn a_file_that_is_read_again_may_be_driven_otherwise() {
+fn reload_adopts_step_of_another_kind_of_driver() {
     let (file, opened) = file(&folder("scene-driver"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     assert!(session.look().contains("step 5 deg"));
@@ -71,7 +72,7 @@ fn a_file_that_is_read_again_may_be_driven_otherwise() {
 }
 
 #[test]
-fn a_file_that_somebody_else_writes_is_read_again() {
+fn external_changes_are_reloaded_but_never_over_edits() {
     let (file, opened) = file(&folder("scene-reload"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     let wait = |session: &mut Session| session.workbench.pass(Duration::from_secs(2));
@@ -85,7 +86,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     let line = session.press("[").last_line();
     assert!(line.contains("mine.toml reloaded"), "{line}");
     assert_eq!(session.row(), "> r2 length 120.25 mm");
-    // Broken meanwhile: the last good state stays until it is mended.
+    // While the file is invalid, the last valid state stays.
     std::fs::write(&file, "[ground]\nA = [0").unwrap();
     wait(&mut session);
     let screen = said(&session.press("[").look());
@@ -100,7 +101,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     wait(&mut session);
     session.press("[");
     assert_eq!(session.row(), "> r2 length 90 mm");
-    // Never over unsaved edits.
+    // A reload never overwrites unsaved edits.
     session.press(">");
     let edited = session.row();
     std::fs::write(
@@ -123,7 +124,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
     assert_eq!(session.row(), edited);
     session.press("R Enter");
     assert_eq!(session.row(), "> r2 length 95.125 mm");
-    // Even then they are not lost.
+    // Even after a confirmed reload, undo restores them.
     session.press("u");
     assert!(
         session.row().starts_with(">*r2 length 90.5")
@@ -132,7 +133,7 @@ fn a_file_that_somebody_else_writes_is_read_again() {
 }
 
 #[test]
-fn unsaved_edits_are_asked_about() {
+fn leaving_with_unsaved_edits_asks_first() {
     let (file, opened) = file(&folder("scene-asked"), text("four-bar"));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("6").find("r2 len").press(">");
@@ -163,7 +164,7 @@ fn unsaved_edits_are_asked_about() {
 }
 
 #[test]
-fn edits_of_an_earlier_session_are_offered() {
+fn unsaved_edits_of_earlier_session_are_offered() {
     let folder = folder("scene-recovery");
     let begin = || {
         let opened = preset("four-bar");
@@ -181,7 +182,7 @@ fn edits_of_an_earlier_session_are_offered() {
     assert_eq!(kept(), 1);
     drop(session);
     let mut session = begin();
-    // What was typed before it could be read is no answer.
+    // Keys typed before the offer was readable are ignored.
     session.press("t d d Enter Esc");
     let screen = session.look();
     for part in ["Unsaved edits of this scene", "> 20", "c compare  t take"] {
@@ -195,7 +196,7 @@ fn edits_of_an_earlier_session_are_offered() {
     assert!(screen.contains("The edited text"), "{screen}");
     session.press("t 6").find("r2 len");
     assert_eq!(session.row(), ">*r2 length 102 mm 100");
-    // Taken back to what is saved, what was left is where it was.
+    // After undo to the saved state, the recovered edits are kept as before.
     session.press("u");
     assert_eq!(session.row(), "> r2 length 100 mm");
     assert_eq!(kept(), 1);
@@ -217,9 +218,9 @@ fn edits_of_an_earlier_session_are_offered() {
     assert!(session.last_line().contains("edits deleted"));
 }
 
-/// What waited to be made when the program ended waits again.
+/// Edits that were staged when the program ended are staged again.
 #[test]
-fn edits_that_waited_are_offered_too() {
+fn staged_edits_of_earlier_session_are_offered() {
     let folder = folder("scene-waiting");
     let begin = || {
         let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::None, 80, 24);
@@ -249,7 +250,8 @@ fn edits_that_waited_are_offered_too() {
     };
     assert_eq!(row(&mut session, "r3 len"), ">+r3 length 1000 mm");
     assert_eq!(row(&mut session, "D x"), ">+D x 402 mm");
-    // Dropped, they are where they were; had back, they are this session's again.
+    // Discarded edits remain in the earlier session's file; restored ones also belong to this
+    // session.
     session.press("Esc");
     assert_eq!(kept(), 1);
     session.press("u");
@@ -268,9 +270,9 @@ fn edits_that_waited_are_offered_too() {
     );
 }
 
-/// Every crash leaves a generation, and who leaves them for later loses none.
+/// Every crash leaves one generation, and postponing the choice loses none.
 #[test]
-fn three_generations_are_offered_and_fit_any_screen() {
+fn three_recovered_generations_fit_every_screen() {
     let folder = folder("scene-generations");
     let begin = |cols: u16, rows: u16| {
         let workbench =
@@ -298,9 +300,9 @@ fn three_generations_are_offered_and_fit_any_screen() {
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 3);
 }
 
-/// Edits that were made on an older text are not written over a newer one unasked.
+/// Edits of an older text overwrite a newer file only after confirmation.
 #[test]
-fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
+fn recovered_edits_overwrite_newer_file_only_after_confirmation() {
     let folder = folder("scene-older");
     let begin = || {
         let (_, opened) = {
@@ -328,7 +330,7 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
     assert_told(&session.press("t w").look(), &asked);
     session.press("Esc");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
-    // What was typed before the question could be read is no answer to it.
+    // Keys typed before the question was readable do not answer it.
     session.press("w Enter Enter");
     assert_eq!(std::fs::read_to_string(&file).unwrap(), newer);
     session.pass(1.0).press("Enter");
@@ -339,7 +341,7 @@ fn old_edits_are_written_over_a_newer_file_only_where_that_is_meant() {
 }
 
 #[test]
-fn a_read_only_file_is_asked_about() {
+fn read_only_file_is_overwritten_after_confirmation() {
     use std::os::unix::fs::PermissionsExt;
     let (file, opened) = file(&folder("scene-read-only"), text("four-bar"));
     std::fs::set_permissions(&file, std::fs::Permissions::from_mode(0o444)).unwrap();
@@ -358,9 +360,9 @@ fn a_read_only_file_is_asked_about() {
     assert_eq!(mode & 0o777, 0o444);
 }
 
-/// Whoever follows a point and then takes it out of the file was left without a program.
+/// Regression test: removing a followed point from the file crashed the program.
 #[test]
-fn a_point_that_is_gone_is_followed_no_longer() {
+fn removed_point_is_no_longer_followed() {
     let named = text("hoecken");
     let (file, opened) = file(&folder("scene-point-gone"), named);
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
@@ -374,7 +376,7 @@ fn a_point_that_is_gone_is_followed_no_longer() {
     std::fs::write(&file, &without).unwrap();
     let line = session.press("R").last_line();
     assert!(line.contains("reloaded"), "{line}");
-    // It comes back with the reading that is taken back, and is not followed by that.
+    // Undoing the reload restores the point without following it again.
     session.press("u");
     let line = session.press("s").last_line();
     assert!(line.contains("the view follows P"), "{line}");

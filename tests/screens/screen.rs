@@ -1,4 +1,4 @@
-//! A workbench, driven by keys, and the emulated terminal that it paints on.
+//! A workbench driven by keys, and the emulated terminal on which it paints.
 
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// Screens of every sort that a person may have, by the names of their snapshots.
+/// Screens of every kind, by the names of their snapshots.
 pub(crate) const SCREENS: [(&str, Glyphs, u16, u16); 6] = [
     ("ascii-80x24", Glyphs::Ascii, 80, 24),
     ("braille-80x24", Glyphs::Braille, 80, 24),
@@ -21,7 +21,7 @@ pub(crate) const SCREENS: [(&str, Glyphs, u16, u16); 6] = [
     ("braille-40x12", Glyphs::Braille, 40, 12),
 ];
 
-/// Six scenes of six kinds.
+/// Six scenes of different kinds.
 pub(crate) const SIX: [&str; 6] = [
     "four-bar",
     "slider-crank",
@@ -50,7 +50,8 @@ r4 = { from = "C", to = "D", length = 60 }
 C = [75, 55]
 "#;
 
-/// A screen with every bound as `+-Ne-NN`: a sharper proof is no other screen.
+/// Masks the digits of every bound as `+-Ne-NN`, so that a sharper bound does not change a
+/// snapshot.
 pub(crate) fn masked(text: &str) -> String {
     let mut pieces = text.split("+-");
     let first = pieces.next().unwrap().to_owned();
@@ -64,10 +65,10 @@ pub(crate) fn masked(text: &str) -> String {
     })
 }
 
-/// A clock on which everything takes 5 ms: a study goes on by a few pieces of work a frame, and finds
-/// the same times on every machine.
+/// Returns the time of a simulated clock that advances by 5 ms per call. A study then does a few
+/// pieces of work per frame and finds the same times on every machine.
 pub(crate) fn made_up() -> Duration {
-    // Tests that run beside this one do not move it.
+    // Tests in other threads do not advance it.
     thread_local!(static NOW: Cell<Duration> = const { Cell::new(Duration::ZERO) });
     NOW.set(NOW.get() + Duration::from_millis(5));
     NOW.get()
@@ -84,7 +85,7 @@ pub(crate) fn open(text: &str, origin: Origin) -> Opened {
     }
 }
 
-/// The text of a preset.
+/// Returns the text of a preset.
 pub(crate) fn text(preset: &str) -> &'static str {
     presets::find(preset).unwrap().text
 }
@@ -94,7 +95,7 @@ pub(crate) fn preset(name: &str) -> Opened {
     open(text(name), Origin::Preset(name.into()))
 }
 
-/// A folder for the files of one test, with nothing in it.
+/// Creates an empty folder for the files of one test.
 pub(crate) fn folder(test: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
     // Tests of other programs may have the same name, and run at the same time.
@@ -104,18 +105,18 @@ pub(crate) fn folder(test: &str) -> PathBuf {
     folder
 }
 
-/// A terminal of this size with nothing on it.
+/// Creates a blank terminal of this size.
 pub(crate) fn emulator(cols: u16, rows: u16) -> vt100::Parser {
     let [rows, cols] = [rows, cols].map(|n| NonZeroU16::new(n).unwrap());
     vt100::Parser::new(rows, cols, 0)
 }
 
-/// The lecture's four-bar in plain characters.
+/// Opens the lecture's four-bar in ASCII.
 pub(crate) fn four_bar(cols: u16, rows: u16) -> Session {
     Session::new(preset("four-bar"), Glyphs::Ascii, cols, rows)
 }
 
-/// What the program prints, and its exit code.
+/// Runs the program and returns its output and exit code.
 pub(crate) fn krank(args: &[&str]) -> (String, Option<i32>) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_krank"));
     command.env_clear().env("LC_ALL", "C").args(args);
@@ -126,13 +127,13 @@ pub(crate) fn krank(args: &[&str]) -> (String, Option<i32>) {
     )
 }
 
-/// A session whose studies take the time that is made up.
+/// Opens a session whose studies use the simulated clock.
 pub(crate) fn timed(opened: Opened, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     let workbench = Workbench::new(opened, glyphs, Colours::Sixteen, cols, rows);
     Session::on(workbench.timed_by(made_up), cols, rows)
 }
 
-/// A workbench and the screen that it paints on.
+/// A workbench and the screen on which it paints.
 pub(crate) struct Session {
     pub(crate) workbench: Workbench,
     pub(crate) terminal: vt100::Parser,
@@ -154,7 +155,7 @@ impl Session {
         }
     }
 
-    /// Presses keys by their names, and paints after each.
+    /// Presses the named keys, and paints after each.
     pub(crate) fn press(&mut self, keys: &str) -> &mut Self {
         for key in keys.split_whitespace() {
             self.workbench.press(key);
@@ -195,7 +196,7 @@ impl Session {
         self.terminal.process(frame);
     }
 
-    /// The screen as text.
+    /// Paints, and returns the screen as text.
     pub(crate) fn look(&mut self) -> String {
         self.paint();
         let width = self.terminal.screen().size().1.get();
@@ -203,7 +204,7 @@ impl Session {
         rows.map(|row| row.trim_end().to_owned() + "\n").collect()
     }
 
-    /// The screen without the title, the verdict and the last line.
+    /// Returns the screen without the title, the verdict and the last line.
     pub(crate) fn body(&mut self) -> String {
         let text = self.look();
         let inner = text.lines().count().saturating_sub(3);

@@ -1,9 +1,9 @@
-//! The tables with their cursor.
+//! Tests the tables view and its cursor.
 
 use crate::screen::{Session, four_bar, preset};
 use krank::drawing::Glyphs;
 
-/// The row of the screen that bears the mark of the cursor.
+/// Returns the row under the cursor.
 pub(crate) fn under_cursor(session: &mut Session) -> String {
     let screen = session.look();
     let mut marked = screen.lines().filter(|line| line.starts_with('>'));
@@ -13,7 +13,7 @@ pub(crate) fn under_cursor(session: &mut Session) -> String {
     line.to_owned()
 }
 
-/// The cells that are reversed, but for the mode.
+/// Returns the text of the reversed cells, without tabs and the last line.
 fn reversed(session: &mut Session) -> String {
     let screen = session.look();
     let cell = |row: usize, col: usize| {
@@ -21,30 +21,30 @@ fn reversed(session: &mut Session) -> String {
         let cell = session.terminal.screen().cell(row, col).unwrap();
         cell.inverse().then(|| cell.contents().to_owned())
     };
-    // The tab of the view is marked so, too.
+    // The active tab is reversed, too.
     let rows = 1..screen.lines().count() - 1;
     let cells = rows.flat_map(|row| (0..80).filter_map(move |col| cell(row, col)));
     cells.collect()
 }
 
 #[test]
-fn a_cursor_is_on_a_row_and_a_figure() {
+fn cursor_marks_one_row_and_one_value() {
     let mut session = four_bar(80, 24);
     assert!(under_cursor(session.press("2")).starts_with("> r2        [100.000] "));
     assert_eq!(reversed(&mut session), "100.000");
     let row = under_cursor(session.press("Down j L"));
     assert!(row.starts_with("> r4         250.000  [290.753*]"), "{row}");
-    // Over what lies between, to the points, as many figures from the left.
+    // Moving down crosses headings to the points and keeps the column number.
     let row = under_cursor(session.press("Down Down"));
     assert!(row.starts_with("> A           0.000     [0.000] "), "{row}");
     assert!(under_cursor(session.press("k Up Up H")).starts_with("> r3        [300.000]"));
     assert!(under_cursor(session.press("Up Up Up Up")).starts_with("> r2        [100.000]"));
     assert!(under_cursor(session.press("PgDn")).starts_with("> r4.com"));
-    // Through the columns of all chunks, and no further.
+    // L moves through the columns of all chunks and stops at the last.
     session.press("PgUp Down Down Down Down Down Down Down L L L L L L L L L L L L L");
     let row = under_cursor(&mut session);
     assert!(row.contains("[206.466]"), "{row}");
-    // But for the cursor and its figure, the tables are those that the manual shows.
+    // Apart from the cursor and its brackets, the tables equal those of the manual.
     let unmarked = |body: String| body.replace(['>', '[', ']'], " ").replace(" \n", "\n");
     let first = four_bar(80, 24).press("2").body();
     assert_eq!(unmarked(session.body()), unmarked(first));
@@ -53,13 +53,13 @@ fn a_cursor_is_on_a_row_and_a_figure() {
         line.contains(" ok  +-") && line.contains(" deg  ? help"),
         "{line}"
     );
-    // The figures change below the cursor, and it stays.
+    // The values change and the cursor stays.
     let row = under_cursor(session.press("."));
     assert!(row.starts_with("> C ") && !row.contains("206.466"), "{row}");
 }
 
 #[test]
-fn the_view_scrolls_after_the_cursor_and_keeps_the_names_of_columns() {
+fn view_scrolls_with_cursor_and_keeps_column_names() {
     let mut session = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 12);
     session.press("2");
     let mut last = String::new();
@@ -73,7 +73,7 @@ fn the_view_scrolls_after_the_cursor_and_keeps_the_names_of_columns() {
         assert!(above.filter(names).count() >= 1, "{screen}");
         last = row;
     }
-    // At the end it stays, and comes back the same way.
+    // The cursor stops at the end, and moves back the same way.
     assert_eq!(under_cursor(session.press("Down")), last);
     insta::assert_snapshot!("tables-end-ascii-40x12", session.look());
     for _ in 0..200 {
@@ -83,7 +83,7 @@ fn the_view_scrolls_after_the_cursor_and_keeps_the_names_of_columns() {
         session.look().lines().nth(2).unwrap().chars().next(),
         Some('>')
     );
-    // A size that is too small for anything loses nothing, and another width keeps the figure.
+    // A screen that is too small loses nothing, and another width keeps the value under the cursor.
     session.press("PgDn PgDn PgDn");
     let figure = |row: &str| row.split(['[', ']']).nth(1).unwrap().to_owned();
     let before = figure(&under_cursor(&mut session));
@@ -105,15 +105,15 @@ fn rows_are_found_by_name() {
     assert!(under_cursor(session.press("C")).starts_with("> C "));
     assert!(under_cursor(session.press("O")).starts_with("> r2.com "));
     assert!(under_cursor(session.press("Enter")).starts_with("> r2.com "));
-    // The next ones, and round.
+    // Repeated searches find the next rows and wrap around.
     for name in ["r3.com", "r4.com", "r2.com"] {
         let row = under_cursor(session.press("/ Enter"));
         assert!(row.starts_with(&format!("> {name} ")), "{row}");
     }
-    // Given up, the cursor is where it was.
+    // Esc restores the cursor.
     assert!(under_cursor(session.press("/ r 4 .")).starts_with("> r4.com "));
     assert!(under_cursor(session.press("Esc")).starts_with("> r2.com "));
-    // A name that is none is said, and can be mended.
+    // An unknown name is reported and can be corrected.
     let line = session.press("/ r 4 z").last_line();
     assert_eq!(line, " search  name: r4z    no row is named r4z");
     assert!(under_cursor(&mut session).starts_with("> r2.com "));
@@ -136,12 +136,12 @@ fn rows_are_found_by_name() {
 }
 
 #[test]
-fn points_are_chosen_for_the_motion_view() {
+fn points_are_selected_for_the_motion_view() {
     let mut session = four_bar(80, 24);
     let line = session.press("2 / C Enter x").last_line();
     assert!(line.ends_with("C chosen for the motion view"), "{line}");
     assert!(under_cursor(&mut session).starts_with(">+C "));
-    // A vector stands for those of its ends that move.
+    // A vector selects its moving end points.
     let line = session.press("/ r 3 Enter x").last_line();
     assert!(
         line.ends_with("B and C chosen for the motion view"),
@@ -156,7 +156,7 @@ fn points_are_chosen_for_the_motion_view() {
         let line = session.press(&format!("/ {name} Enter x")).last_line();
         assert!(line.contains("never moves: nothing to follow"), "{line}");
     }
-    // Another scene has other points.
+    // A scene change clears the selection.
     session.press("/ C Enter x n p");
     assert_eq!(marked(&session.look()), 0);
 }

@@ -1,4 +1,4 @@
-//! What the terminal gets: bytes of a frame in every kind of glyphs and colours, and the last line.
+//! Tests the bytes sent to the terminal for every kind of glyphs and colours, and the last line.
 
 use crate::screen::{Session, preset};
 use krank::drawing::Glyphs;
@@ -10,7 +10,7 @@ fn opened(name: &str, glyphs: Glyphs, colours: Colours) -> Session {
     Session::on(workbench, 80, 24)
 }
 
-/// The median over a turn of 120 frames.
+/// Returns the median number of bytes of a frame, over a turn of 120 frames.
 fn median(glyphs: Glyphs, colours: Colours, theme: Theme) -> usize {
     let workbench = Workbench::new(preset("four-bar"), glyphs, colours, 80, 24);
     let mut workbench = workbench.themed(theme);
@@ -32,10 +32,10 @@ fn median(glyphs: Glyphs, colours: Colours, theme: Theme) -> usize {
     median
 }
 
-/// `cargo test --test screens terminal -- --nocapture` prints the figures.
+/// `cargo test --test screens terminal -- --nocapture` prints the sizes.
 #[test]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
-fn a_frame_costs_few_bytes_in_every_glyph_and_colour() {
+fn median_frame_size_stays_small_in_every_glyph_and_colour() {
     for (colours, most) in [
         (Colours::None, 700),
         (Colours::Sixteen, 900),
@@ -56,9 +56,9 @@ fn a_frame_costs_few_bytes_in_every_glyph_and_colour() {
     }
 }
 
-/// Colours change at once, and the screen shows the same as one that began with them.
+/// The screen after a switch equals that of a session started with those colours.
 #[test]
-fn colours_change_by_key() {
+fn colour_key_switches_at_once() {
     let four_bar = |colours| opened("four-bar", Glyphs::Braille, colours);
     let mut session = four_bar(Colours::Sixteen);
     let mut seen = Vec::new();
@@ -84,7 +84,7 @@ fn colours_change_by_key() {
 }
 
 #[test]
-fn the_last_line_tells_what_lies_ahead() {
+fn last_line_announces_dead_and_change_points_ahead() {
     let mut session = opened("peaucellier", Glyphs::Ascii, Colours::Sixteen);
     let line = session.press("g 7 9 . 6 2 Enter").last_line();
     assert!(
@@ -100,9 +100,8 @@ fn the_last_line_tells_what_lies_ahead() {
     assert!(line.contains("change point in 10.0 deg"), "{line}");
 }
 
-/// While it plays, hints stay in their places.
 #[test]
-fn the_last_line_does_not_dance() {
+fn last_line_hints_stay_in_place_while_playing() {
     for (name, from) in [("peaucellier", "g 6 0 Enter"), ("four-bar", "g 3 Enter")] {
         let mut session = opened(name, Glyphs::Ascii, Colours::Sixteen);
         session.press(from).press("space");

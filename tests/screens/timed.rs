@@ -1,10 +1,11 @@
-//! A scene with a motion over time: played, stepped and plotted by its own law.
+//! Tests a scene with a motion law over time: playback, steps and plots.
 
 use crate::screen::{Session, krank, open};
 use krank::drawing::Glyphs;
 use krank::tui::Origin;
 
-/// A slider-crank of 100 and 300 mm that goes 120 deg forth in 0.5 s, rests for 0.2 s, and comes back in 0.4 s.
+/// A slider-crank of 100 and 300 mm that turns by 120 deg in 0.5 s, dwells for 0.2 s, and returns
+/// in 0.4 s.
 const INDEXED: &str = r#"
 name = "Indexed press"
 unit = "mm"
@@ -41,19 +42,20 @@ fn scene(keys: &str, seconds: f64, cols: u16, rows: u16) -> Session {
     session
 }
 
-/// Played in 4 s, a period of 1.1 s: of the cycloid a quarter of its time is 120 (1/4 - 1/(2 pi)) deg, then it rests.
+/// Playback takes 4 s for the period of 1.1 s. After a quarter of its time, the cycloid is at 120
+/// (1/4 - 1/(2 pi)) deg; after its end, the driver dwells.
 #[test]
-fn playing_goes_by_the_motion_and_rests_with_it() {
+fn playback_follows_motion_law_and_dwells() {
     let line = |seconds| scene("space", seconds, 80, 24).last_line();
     assert!(line(0.125 * 4.0 / 1.1).contains("   10.90 deg  t 0.125 s  ok"));
     for seconds in [0.5, 0.6, 0.699] {
         let rests = line(seconds * 4.0 / 1.1);
         assert!(rests.contains("  120.00 deg  t 0."), "{rests}");
     }
-    // On the way back; then it begins anew.
+    // The driver returns, and then the period repeats.
     assert!(line(0.9 * 4.0 / 1.1).contains("   60.00 deg  t 0.900 s  ok"));
     assert!(line(1.225 * 4.0 / 1.1).contains("   10.90 deg  t 0.125 s  ok"));
-    // Time runs back from its beginning.
+    // Reversed playback runs backwards from the beginning of the period.
     let back = scene("r space", 0.2 * 4.0 / 1.1, 80, 24).last_line();
     assert!(back.contains("   60.00 deg  t 0.900 s  ok"), "{back}");
     let heading = scene("", 0.0, 120, 40).look();
@@ -63,9 +65,9 @@ fn playing_goes_by_the_motion_and_rests_with_it() {
     );
 }
 
-/// A state by steps is the one of the command line at that time: rates, forces and working.
+/// Rates, forces and working equal those of the command line at the same time.
 #[test]
-fn rates_are_those_of_the_motion_then() {
+fn rates_and_forces_follow_motion_law_at_that_time() {
     let mut session = scene("space", 0.275 * 4.0 / 1.1, 80, 24);
     let tables = session.press("space 2").look();
     // 120 deg in 0.5 s: (120 deg / 0.5 s) (1 - cos 198 deg) and 2 pi (120 deg / 0.25 s^2) sin 198 deg.
@@ -97,9 +99,10 @@ fn rates_are_those_of_the_motion_then() {
     );
 }
 
-/// A step goes along the coordinate, to when the motion is there next; where it never is, at a plain speed.
+/// A step changes the coordinate and moves the time to the next moment with that coordinate. At
+/// coordinates that the motion never reaches, the driver has a plain speed.
 #[test]
-fn steps_stay_on_the_way_that_is_played() {
+fn steps_follow_the_timed_motion() {
     let mut session = indexed(80, 24);
     assert!(
         session
@@ -114,13 +117,14 @@ fn steps_stay_on_the_way_that_is_played() {
     assert!(beyond.contains("  150.00 deg  at 1 rad/s  ok"), "{beyond}");
     let begins = session.press("Home").last_line();
     assert!(begins.contains("    0.00 deg  t 0.000 s  ok"), "{begins}");
-    // What lengths do is asked at a coordinate.
+    // The lengths view has no time: it evaluates at a coordinate.
     assert!(session.press("e").last_line().contains("at 1 rad/s"));
 }
 
-/// Over time from the beginning, over the coordinate on demand; the cursor lies on the curve there, too.
+/// The default x axis is time, and the coordinate is selectable; the cursor lies on the curve with
+/// either.
 #[test]
-fn plots_are_over_time() {
+fn plots_use_time_as_default_x_axis() {
     let mut session = scene("3 space", 0.25 * 4.0 / 1.1, 80, 24);
     let plot = session.press("space").look();
     assert!(
@@ -138,7 +142,7 @@ fn plots_are_over_time() {
 }
 
 #[test]
-fn small_screens_stay_calm() {
+fn timed_motion_fits_small_screens() {
     let mut session = scene("space", 0.275 * 4.0 / 1.1, 40, 12);
     insta::assert_snapshot!("timed-40x12", session.look());
     insta::assert_snapshot!("timed-plot-40x12", session.press("3").look());

@@ -1,4 +1,4 @@
-//! The tour of the workbench.
+//! Tests the tour of the workbench.
 
 use crate::claims::{cells, differences, places, said};
 use crate::screen::four_bar;
@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 
 const THROUGH_THE_TOUR: [&str; 5] = ["I", "Enter", "Right", "space", "Enter"];
 
-/// The rows and the columns of the box of the tour.
+/// Returns the rows and columns of the tour's box.
 fn tour_box(screen: &str) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
     let rows = cells(screen);
     let top = screen
@@ -27,7 +27,7 @@ fn tour_box(screen: &str) -> (RangeInclusive<usize>, RangeInclusive<usize>) {
     (top..=top + 1 + height, left..=right)
 }
 
-/// What the tour tells, as one line.
+/// Returns the tour's text as one line.
 fn told(screen: &str) -> String {
     let (rows, cols) = tour_box(screen);
     let inner = cells(screen)[rows.start() + 1..*rows.end()].to_vec();
@@ -39,9 +39,9 @@ fn told(screen: &str) -> String {
     said(&inner.iter().map(line).collect::<Vec<_>>().join("\n"))
 }
 
-/// Every screen of the tour, beside the linkage where there is room.
+/// Shows every screen of the tour, next to the linkage where it fits.
 #[test]
-fn the_tour_leads_through_five_screens_and_back() {
+fn tour_shows_five_screens_and_restores_the_view() {
     let screens = THROUGH_THE_TOUR
         .iter()
         .scan(four_bar(40, 12), |tiny, key| Some(tiny.press(key).look()));
@@ -52,7 +52,7 @@ fn the_tour_leads_through_five_screens_and_back() {
         let before = session.look();
         for (key, small) in THROUGH_THE_TOUR.iter().zip(&small) {
             let screen = session.press(key).look();
-            // The same is told at every size, and nothing but what lies below the box is hidden.
+            // The text is the same at every size, and only cells below the box are hidden.
             assert_eq!(told(&screen), told(small), "{screen}");
             let (box_rows, box_cols) = tour_box(&screen);
             let last = usize::from(rows) - 1;
@@ -68,9 +68,9 @@ fn the_tour_leads_through_five_screens_and_back() {
     }
 }
 
-/// The keys of the motion work beside the tour, and nothing that would lead away from it.
+/// Motion keys work during the tour; keys that would leave it do not.
 #[test]
-fn the_tour_lets_the_crank_be_moved() {
+fn tour_accepts_motion_keys_but_no_view_changes() {
     let mut session = four_bar(80, 24);
     let line = session.press("I Enter . .").last_line();
     assert!(line.contains("70.00 deg"), "{line}");

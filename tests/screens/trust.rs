@@ -1,4 +1,4 @@
-//! What is missing and what is not proved: dead points, dim digits, and the largest bound.
+//! Tests missing and unproved values: dead points, dim digits, and the largest error bound.
 
 use crate::claims::{assert_told, said};
 use crate::screen::{SWINGING, Session, emulator, open, preset};
@@ -10,12 +10,12 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn says_what_is_missing_at_a_dead_point() {
+fn dead_point_shows_missing_rates_as_dashes() {
     let opened = open(SWINGING, Origin::File("bench/swinging.toml".into()));
     let mut session = Session::new(opened, Glyphs::Ascii, 80, 24);
     session.press("] ] ] ] ] .");
     let screen = session.look();
-    // Places are told, and of rates the driver's alone.
+    // Positions are shown, but only the driver has rates.
     let told = [
         "| r3 50.0000 327.236*",
         "| r4 60.0000 327.236*",
@@ -41,12 +41,12 @@ fn says_what_is_missing_at_a_dead_point() {
     assert!(line.contains("82.81924422 deg dead point"), "{line}");
 }
 
-/// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have four digits at the most.
+/// Within 5e-13 deg of the dead point of [`SWINGING`], where rates have at most four proved digits.
 const ALMOST_DEAD: &str = "g 8 2 . 8 1 9 2 4 4 2 1 8 5 4 1 Enter";
 
-/// Digits that nothing proves are dim; without colours points stand in their place.
+/// Unproved digits are dim, or dots without colours.
 #[test]
-fn digits_that_nothing_proves_are_told() {
+fn unproved_digits_are_dim_or_dotted() {
     let plain = |cols, rows| {
         let opened = open(SWINGING, Origin::Stdin);
         let workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, cols, rows);
@@ -63,12 +63,13 @@ fn digits_that_nothing_proves_are_told() {
         "82.81924422 deg dead point within 0.1 deg ? help",
     ];
     assert_told(&plain(80, 24), &told);
-    // Places are as sure as ever, and a short line tells the place in full before what lies ahead.
+    // Positions keep their digits, and a short line shows the position in full in preference to
+    // what lies ahead.
     let told = ["r3 50.0000 327.236*", "motion 82.81924422 deg ok ? help"];
     assert_told(&plain(40, 12), &told);
     let mut session = Session::new(open(SWINGING, Origin::Stdin), Glyphs::Ascii, 80, 24);
     let screen = session.press(ALMOST_DEAD).look();
-    // A rate of r4, and which of its characters are dim.
+    // Marks the dim characters of a rate of r4.
     let row = screen
         .lines()
         .position(|line| said(line).contains("| r4 0 4."))
@@ -88,15 +89,14 @@ fn digits_that_nothing_proves_are_told() {
         dim.trim_start().trim_end().len() < line[from..].len(),
         "{line}\n{dim}"
     );
-    // Where all is well, nothing is dim but what is quiet anyway.
+    // Away from the dead point, the last line shows a bound.
     let line = session.press("Home").last_line();
     assert!(line.contains("ok  +-"), "{line}");
 }
 
-/// The last line tells the largest bound of a place, or that there is none; not where figures are not
-/// what is looked at.
+/// The last line shows the largest bound of a position, but not in views without values.
 #[test]
-fn the_largest_bound_stands_in_the_last_line() {
+fn last_line_shows_largest_error_bound() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     let line = session.last_line();
     let bound = line
@@ -113,7 +113,7 @@ fn the_largest_bound_stands_in_the_last_line() {
     assert!(line.contains(" mm  ? help"), "{line}");
     assert!(!session.press("e").last_line().contains("+-"));
     assert!(!session.press("1 ?").last_line().contains("+-"));
-    // On a short line the key that leads on comes first.
+    // On a short line, the help key takes precedence.
     let mut narrow = four_bar(Glyphs::Ascii, 40, 12);
     let line = narrow.last_line();
     assert!(line.contains("? help") && !line.contains("+-"), "{line}");

@@ -1,4 +1,4 @@
-//! Finding one's way in the workbench, as a terminal shows it: the help and searching it.
+//! Tests the help and its search.
 
 use crate::screen::{Session, emulator, four_bar, preset};
 use krank::drawing::Glyphs;
@@ -6,7 +6,7 @@ use krank::tui::{Colours, Config, Workbench};
 use std::collections::{BTreeSet, HashSet};
 
 #[test]
-fn the_help_is_searched_by_words() {
+fn help_search_matches_all_words() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? /").type_in("arrow vel").look();
     assert!(screen.contains("Help /arrow vel"), "{screen}");
@@ -14,21 +14,21 @@ fn the_help_is_searched_by_words() {
     assert!(!screen.contains("acceleration   "), "{screen}");
     let line = session.last_line();
     assert!(line.ends_with("Esc all keys  Enter keep"), "{line}");
-    // Nothing that is typed is taken for a key.
+    // Typed characters are not interpreted as keys.
     assert!(session.type_in("q?").look().contains("no key does that"));
     assert!(session.look().contains("Esc shows all keys"));
-    // Enter keeps what was found, and keys are keys again.
+    // Enter keeps the filter, and keys work again.
     session.press("Ctrl-U").type_in("quit from").press("Enter");
     let screen = session.look();
     assert!(screen.contains("quit from anywhere"), "{screen}");
     assert!(session.last_line().contains("/ search"));
-    // First all keys again, then the view.
+    // Esc first shows all keys again, then closes the help.
     let screen = session.press("Esc").look();
     assert!(screen.contains("play or pause"), "{screen}");
     assert!(!session.press("Esc").look().contains("Help"));
 }
 
-/// The topics of `krank help`, as the command has them on a terminal of 80 columns.
+/// Returns the names and texts of the topics of `krank help`, for a terminal of 80 columns.
 fn topics() -> Vec<(String, String)> {
     let help = |topic: &[&str]| {
         let mut program = std::process::Command::new(env!("CARGO_BIN_EXE_krank"));
@@ -41,9 +41,9 @@ fn topics() -> Vec<(String, String)> {
     names.map(|name| (name.to_owned(), help(&[name]))).collect()
 }
 
-/// Page by page they are in the help what the command shows, whose first page are the keys.
+/// The first page of the help lists the keys, and the pages after it have the text of `krank help`.
 #[test]
-fn the_topics_of_the_manual_stand_behind_the_keys() {
+fn help_contains_all_manual_topics_after_the_keys() {
     let mut session = four_bar(80, 24);
     let keys = session.press("?").look();
     assert!(session.last_line().contains("Tab manual"), "{keys}");
@@ -56,7 +56,7 @@ fn the_topics_of_the_manual_stand_behind_the_keys() {
         let words: HashSet<&str> = seen.split_whitespace().collect();
         let seen: HashSet<&str> = seen.lines().collect();
         for line in text.lines() {
-            // A fault may be wider than the screen: it is folded there.
+            // An error message may be wider than the screen, which then wraps it.
             let is_there = match line.chars().count() > 80 {
                 true => line.split_whitespace().all(|word| words.contains(word)),
                 false => seen.contains(line.trim_end()),
@@ -71,7 +71,7 @@ fn the_topics_of_the_manual_stand_behind_the_keys() {
 }
 
 #[test]
-fn the_manual_is_searched_through_all_its_topics() {
+fn manual_search_covers_all_topics() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? Tab /").type_in("SECOND dyad").look();
     assert!(
@@ -84,7 +84,7 @@ fn the_manual_is_searched_through_all_its_topics() {
     );
     let line = session.last_line();
     assert!(line.ends_with("Esc back  Enter next"), "{line}");
-    // Found nowhere in this topic, but in others, one after the other and round.
+    // The word is only in other topics: Enter visits all of its hits and wraps around.
     let screen = session.press("Ctrl-U").type_in("fluctuation").look();
     assert!(screen.contains("Help: scene"), "{screen}");
     let first = screen;
@@ -105,21 +105,21 @@ fn the_manual_is_searched_through_all_its_topics() {
         }
     }
     assert!(places > 1 && topics.len() > 1, "{topics:?}");
-    // Nothing that is typed is taken for a key, and what is nowhere is said to be.
+    // Typed characters are not interpreted as keys, and a search without hits reports that.
     let screen = session.type_in("q?").look();
     assert!(
         screen.lines().nth(1).unwrap().contains(" no hits "),
         "{screen}"
     );
-    // The search ends where it is, then the help.
+    // Esc ends the search at its place, then closes the help.
     let screen = session.press("Esc").look();
     assert!(screen.contains("Help: scene"), "{screen}");
     assert!(!session.press("Esc").look().contains("Help"));
 }
 
-/// A search used to look at single lines: at 80 columns these words were nowhere.
+/// Regression test: the search looked at single lines and missed these words at 80 columns.
 #[test]
-fn words_are_found_wherever_a_line_is_broken() {
+fn search_finds_phrases_across_line_breaks() {
     for cols in [40, 60, 80, 120] {
         let mut session = four_bar(cols, 24);
         session.press("? Tab /").type_in("structure alone decides");
@@ -128,7 +128,7 @@ fn words_are_found_wherever_a_line_is_broken() {
     }
 }
 
-/// Rows of the view in which something is marked.
+/// Counts the rows of the view with a highlight.
 fn marked(session: &Session) -> usize {
     let screen = session.terminal.screen();
     let (rows, columns) = screen.size();
@@ -139,19 +139,19 @@ fn marked(session: &Session) -> usize {
     (1..rows.get() - 1).filter(|row| is_marked(*row)).count()
 }
 
-/// Typing used to lose the place: it went to the beginning of the topic, and Esc left one there.
+/// Regression test: typing jumped to the beginning of the topic, and Esc stayed there.
 #[test]
-fn a_search_goes_on_from_where_one_reads_and_back_to_it() {
+fn search_starts_at_reading_position_and_esc_restores_it() {
     let mut session = four_bar(80, 24);
     let place = session.press("? Tab PgDn PgDn").look();
     let before = |screen: &str, line: &str| screen.lines().any(|seen| seen == line);
     let last = place.lines().nth(20).unwrap().to_owned();
-    // The topic begins with this word, and has it further on.
+    // The topic begins with this word, and contains it again further on.
     let found = session.press("/").type_in("crank").look();
     assert!(found.contains("Help: tutorial"), "{found}");
     assert!(before(&place, found.lines().nth(2).unwrap()), "{found}");
     assert_eq!(marked(&session), 2, "the caret and the line: {found}");
-    // Where nothing is found, and where less is typed again, one is where one was.
+    // Without hits, and after deleting characters, the position is restored.
     let nowhere = session.type_in("zzz").look();
     assert!(nowhere.contains(" no hits "), "{nowhere}");
     assert!(before(&nowhere, &last), "{nowhere}");
@@ -167,7 +167,7 @@ fn a_search_goes_on_from_where_one_reads_and_back_to_it() {
         place
     );
     assert_eq!(marked(&session), 0);
-    // What Enter leads to, and what is read on from there, stays.
+    // A position reached by Enter or by scrolling after it is kept.
     let next = session
         .press("/")
         .type_in("fluctuation")
@@ -183,9 +183,9 @@ fn a_search_goes_on_from_where_one_reads_and_back_to_it() {
     assert_eq!(marked(&session), 0);
 }
 
-/// At 40 columns the ends of wide lines were cut, and nothing told that there is more.
+/// Regression test: at 40 columns, wide lines were cut without any sign.
 #[test]
-fn a_topic_is_whole_on_the_smallest_screen() {
+fn topics_are_complete_on_the_smallest_screen() {
     let mut session = four_bar(40, 12);
     let keys = session.press("?").look();
     assert!(keys.contains(" Tab manual "), "{keys}");
@@ -200,9 +200,9 @@ fn a_topic_is_whole_on_the_smallest_screen() {
     assert!(seen.contains("-o output.csv"), "{seen}");
 }
 
-/// What was found is marked in the lines of its width, and a narrow screen has other lines.
+/// Hits are highlighted by line, and a narrow screen breaks lines elsewhere.
 #[test]
-fn a_topic_is_read_on_every_screen() {
+fn search_hits_stay_visible_after_resize() {
     for (cols, rows) in [(40, 12), (80, 24), (200, 60)] {
         let mut session = four_bar(80, 24);
         session.press("? Tab Tab /").type_in("stiffness");
@@ -222,7 +222,7 @@ fn a_topic_is_read_on_every_screen() {
 }
 
 #[test]
-fn the_help_of_each_view_begins_with_its_own_keys() {
+fn help_lists_keys_of_current_view_first() {
     for (view, title, help) in [
         ("1", "What the motion view shows", "velocity arrows"),
         ("2", "In the tables", "show in the motion view"),
@@ -238,9 +238,9 @@ fn the_help_of_each_view_begins_with_its_own_keys() {
     }
 }
 
-/// Whatever the size, scrolling leads to every key.
+/// Scrolling reaches every key at every size.
 #[test]
-fn every_key_of_the_help_is_reached() {
+fn scrolling_reaches_every_key_of_the_help() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40), (200, 60)] {
         let mut session = four_bar(cols, rows);
         let mut seen = session.press("?").look();
@@ -254,9 +254,9 @@ fn every_key_of_the_help_is_reached() {
     }
 }
 
-/// What is configured is what the help, the hints and the messages tell.
+/// The help, the hints and the messages name the configured keys.
 #[test]
-fn keys_that_are_configured_are_the_ones_that_are_told() {
+fn configured_keys_appear_in_help_hints_and_messages() {
     let text = "[keys]\nhelp = \"F9\"\nplay = \"F5\"\nsave = \"F6\"\nnext = []\nstep-back = []\n";
     let config = Config::parse(text, "config.toml").unwrap();
     let workbench = Workbench::new(preset("four-bar"), Glyphs::Ascii, Colours::Sixteen, 80, 24);
@@ -289,9 +289,9 @@ fn keys_that_are_configured_are_the_ones_that_are_told() {
     assert!(tour.contains("(no key) step"), "{tour}");
 }
 
-/// The configuration in the manual is one.
+/// The manual's example of a configuration is valid, in both languages.
 #[test]
-fn the_configuration_of_the_manual_is_read() {
+fn example_configuration_of_the_manual_parses() {
     for keys in [
         include_str!("../../src/manual/english/keys.md"),
         include_str!("../../src/manual/turkish/keys.md"),

@@ -1,4 +1,4 @@
-//! What holds for the workbench as a whole: opening, moving, helping, editing lengths, and every size.
+//! Tests the workbench as a whole: opening, moving, help, the lengths view, and every size.
 
 use crate::claims::assert_told;
 use crate::screen::{SWINGING, Session, emulator, krank, made_up, masked, open, preset, timed};
@@ -8,7 +8,7 @@ use krank::tui::{Colours, Origin, Workbench};
 use proptest::prelude::*;
 use std::time::Duration;
 
-/// The keys of the workbench are the same wherever they are written down.
+/// The manual and the command line name the workbench's keys.
 #[test]
 fn manual_and_command_line_name_the_keys() {
     let manual = krank(&["help", "keys"]).0;
@@ -41,7 +41,7 @@ fn four_bar(glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 }
 
 #[test]
-fn opens_on_the_lectures_four_bar() {
+fn opening_screen_shows_lecture_four_bar() {
     let screen = four_bar(Glyphs::Braille, 80, 24).look();
     insta::assert_snapshot!("four-bar-braille-80x24", masked(&screen));
     let screen = four_bar(Glyphs::Ascii, 40, 12).look();
@@ -49,14 +49,14 @@ fn opens_on_the_lectures_four_bar() {
 }
 
 #[test]
-fn shows_a_slider_crank_above_its_tables() {
+fn slider_crank_is_shown_next_to_its_tables() {
     let mut session = timed(preset("slider-crank"), Glyphs::Line, 80, 24);
     insta::assert_snapshot!("slider-crank-line-80x24", masked(&session.look()));
 }
 
-/// On the smallest screen, too, a table is read from its heading on, and goes on in a second one below.
+/// On a small screen, a table is shown from its heading on, and continues in a second one below.
 #[test]
-fn shows_all_tables() {
+fn scrolling_shows_all_tables_on_small_screens() {
     let mut tiny = four_bar(Glyphs::Ascii, 40, 13);
     let scrolled = tiny.press("Tab Down Down").body();
     let told = [
@@ -73,9 +73,9 @@ fn shows_all_tables() {
     assert_told(&scrolled, &told);
 }
 
-/// What a length that is off does to the figures: a view of its own, which follows the driver.
+/// The lengths view shows how errors of lengths change the values, and follows the driver.
 #[test]
-fn shows_what_the_lengths_do() {
+fn lengths_view_shows_sensitivities_and_follows_driver() {
     let mut session = four_bar(Glyphs::Ascii, 80, 25);
     let screen = session.press("e").look();
     let told = [
@@ -94,18 +94,18 @@ fn shows_what_the_lengths_do() {
     assert_ne!(elsewhere, session.press(".").look());
     let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
     insta::assert_snapshot!("lengths-ascii-40x12", masked(&tiny.press("e PgDn").look()));
-    // A redundant linkage jams where a length is off, and the view says so.
+    // A redundant linkage jams if a length is wrong, and the view says so.
     let mut jammed = timed(preset("triple-parallelogram"), Glyphs::Ascii, 80, 24);
     let screen = jammed.press("e").look();
     assert!(screen.contains("no derivatives by the lengths"), "{screen}");
-    // Another scene is asked the same.
+    // The view stays open for the next scene.
     let screen = jammed.press("n").look();
     let is_asked = screen.contains("in every length") && !screen.contains("no derivatives");
     assert!(is_asked, "{screen}");
 }
 
 #[test]
-fn shows_the_keys() {
+fn help_shows_the_keys() {
     let mut session = four_bar(Glyphs::Braille, 80, 24);
     insta::assert_snapshot!("help-braille-80x24", masked(&session.press("?").look()));
     let mut tiny = four_bar(Glyphs::Ascii, 40, 12);
@@ -113,15 +113,15 @@ fn shows_the_keys() {
     assert!(!tiny.press("Esc").look().contains("Help"));
 }
 
-/// Whoever does not know the keys finds the one that shows them, on every screen.
+/// Every screen names the key of the help.
 #[test]
-fn the_key_of_the_help_is_always_named() {
+fn help_key_is_named_in_every_view_and_size() {
     for preset in presets::all() {
         for (cols, rows) in [(40, 12), (60, 16), (80, 24)] {
             let opened = open(preset.text, Origin::Preset(preset.name.into()));
             let mut session = timed(opened, Glyphs::Ascii, cols, rows);
             for view in ["1", "2", "3", "4", "5 Esc", "6"] {
-                // Why a view has nothing to show is said until the next key.
+                // Esc clears the message why a view is empty.
                 let line = session.press(view).last_line();
                 assert!(line.contains("? help"), "{}: {line}", preset.name);
             }
@@ -132,7 +132,7 @@ fn the_key_of_the_help_is_always_named() {
 }
 
 #[test]
-fn what_is_cut_shows_that_it_is() {
+fn truncated_text_ends_with_dots() {
     let mut session = timed(preset("stephenson-six-bar"), Glyphs::Ascii, 80, 24);
     let screen = session.look();
     let title = screen.lines().nth(1).unwrap();
@@ -148,9 +148,10 @@ fn what_is_cut_shows_that_it_is() {
     );
 }
 
-/// A mechanism that is wide and low used to have its tables below, and a taller screen showed fewer of their rows.
+/// Regression test: a wide and low mechanism had its tables below, and a taller screen showed fewer
+/// of their rows.
 #[test]
-fn tables_stand_beside_every_drawing_and_more_rows_show_no_fewer() {
+fn tables_are_next_to_drawing_and_taller_screens_show_no_less() {
     for preset in presets::all() {
         let mut before = 0;
         for (cols, rows) in [
@@ -181,7 +182,7 @@ fn tables_stand_beside_every_drawing_and_more_rows_show_no_fewer() {
 }
 
 #[test]
-fn presets_follow_each_other_in_a_ring() {
+fn preset_keys_wrap_around() {
     let mut session = four_bar(Glyphs::Ascii, 80, 24);
     for preset in presets::all().iter().skip(1).chain(presets::all().first()) {
         let line = session.press("n").last_line();
@@ -192,7 +193,7 @@ fn presets_follow_each_other_in_a_ring() {
 }
 
 #[test]
-fn every_preset_is_shown_at_every_size_while_it_plays() {
+fn presets_play_at_every_size_and_ascii_stays_seven_bit() {
     let sizes = [
         (40, 12),
         (80, 24),
@@ -223,7 +224,7 @@ fn every_preset_is_shown_at_every_size_while_it_plays() {
 }
 
 #[test]
-fn the_smallest_screens_say_what_is_needed() {
+fn tiny_screens_state_the_required_size() {
     for (cols, rows) in [(20, 6), (39, 12), (80, 11)] {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
         assert_told(
@@ -240,7 +241,7 @@ fn the_smallest_screens_say_what_is_needed() {
 }
 
 #[test]
-fn titles_from_a_file_reach_the_terminal_harmless() {
+fn control_characters_in_titles_are_replaced() {
     let hostile = SWINGING.replace("Swinging crank", "A\\u001B[2J\\u202Eb\\u4E2D\\u00E9");
     let title = |glyphs| {
         let opened = open(&hostile, Origin::File("\u{1b}[2J.toml".into()));
@@ -254,7 +255,7 @@ fn titles_from_a_file_reach_the_terminal_harmless() {
 }
 
 #[test]
-fn a_frame_costs_few_bytes_and_none_where_nothing_changes() {
+fn frames_are_small_and_empty_without_changes() {
     for (colours, most) in [(Colours::Sixteen, 900), (Colours::None, 700)] {
         let mut workbench = Workbench::new(preset("four-bar"), Glyphs::Braille, colours, 80, 24);
         workbench.paint();
@@ -270,7 +271,7 @@ fn a_frame_costs_few_bytes_and_none_where_nothing_changes() {
     }
 }
 
-/// What a person, or a cat, may do.
+/// An action on the workbench.
 #[derive(Clone, Debug)]
 enum Deed {
     Press(&'static str),
@@ -324,9 +325,9 @@ fn deeds() -> impl Strategy<Value = Vec<Deed>> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Whatever is done, the workbench lives, and what frames add up to is what one frame shows.
+    /// After any actions, the incremental frames add up to a full repaint.
     #[test]
-    fn frames_add_up_to_the_screen_whatever_is_done(deeds in deeds(), preset in 0_usize..19) {
+    fn random_actions_leave_screen_equal_to_full_repaint(deeds in deeds(), preset in 0_usize..19) {
         let preset = &presets::all()[preset % presets::all().len()];
         let opened = open(preset.text, Origin::Preset(preset.name.into()));
         let mut session = timed(opened, Glyphs::Ascii, 80, 24);
@@ -351,9 +352,10 @@ proptest! {
     }
 }
 
-/// A window that became smaller and larger again at once: the terminal has lost what it showed.
+/// A window may shrink and grow again at once: the size is unchanged, but the terminal has lost its
+/// content.
 #[test]
-fn a_size_that_is_what_it_was_paints_all_again() {
+fn resize_to_same_size_repaints_everything() {
     for (cols, rows) in [(80, 24), (11, 1)] {
         let mut session = four_bar(Glyphs::Ascii, cols, rows);
         let shown = session.look();

@@ -1,5 +1,4 @@
-//! What is said in few words: the last line where it is short, names that are typed again, labels that
-//! stand where they belong.
+//! Tests texts in little space: short last lines, prompts after errors, and labels of axes.
 
 use crate::scene::Values;
 use crate::screen::{Session, four_bar, open, preset};
@@ -7,31 +6,32 @@ use krank::drawing::Glyphs;
 use krank::scene::presets;
 use krank::tui::Origin;
 
-/// A folder of its own for a test.
+/// Creates a folder for a test.
 fn folder(name: &str) -> std::path::PathBuf {
     let folder = std::env::temp_dir().join(format!("krank-words-{name}-{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     folder
 }
 
-/// A part of a figure is another figure: it is shown whole, or not at all.
+/// A truncated number would be another number: it is shown in full or not at all.
 #[test]
-fn a_message_never_covers_a_part_of_the_angle() {
+fn messages_never_truncate_the_angle() {
     let mut session = four_bar(40, 12);
     let line = session.press("i").last_line();
     assert_eq!(line, " motion  names of points and links");
     let line = session.press("i").last_line();
     assert_eq!(line, " motion   60.00 deg  no names");
-    // Why figures are missing is more than what was asked for.
+    // The reason for missing values takes precedence over the requested message.
     let mut rocker = Session::new(preset("double-rocker"), Glyphs::Ascii, 40, 12);
     rocker.press("g 3 9 Enter").press("[").press(", ,");
     let line = rocker.press(", , ,").last_line();
     assert_eq!(line, " motion  36.86989765 deg dead point");
 }
 
-/// What has no room in the last line stands above it as a whole, and covers nothing that is typed.
+/// A message that does not fit in the last line is shown above it in full, and covers no typed
+/// text.
 #[test]
-fn a_long_message_is_told_as_a_whole() {
+fn long_messages_are_shown_in_full() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let mut session = four_bar(cols, rows);
         session.press("6").find("r3 len").press("@");
@@ -42,7 +42,7 @@ fn a_long_message_is_told_as_a_whole() {
         let told = words.join(" ");
         assert!(session.last_line().contains(typed), "{screen}");
         assert!(told.contains("nowhere") && !told.contains(".."), "{screen}");
-        // With the next key it is gone.
+        // The next key clears it.
         session.press("Backspace");
         assert_ne!(session.look(), screen);
         let verdict = screen.lines().nth(rows as usize - 2).unwrap().to_owned();
@@ -54,16 +54,15 @@ fn a_long_message_is_told_as_a_whole() {
     }
 }
 
-/// The list of plots tells its keys on the smallest screen, too.
 #[test]
-fn lists_tell_their_keys_on_a_small_screen() {
+fn plot_list_shows_its_keys_on_a_small_screen() {
     let line = four_bar(40, 12).press("3 x").last_line();
     assert_eq!(line, " choose   60.00 deg Enter plot  Esc done");
 }
 
-/// `/` searches, whatever view it is in.
+/// `/` searches in every view.
 #[test]
-fn searching_is_called_the_same_everywhere() {
+fn search_has_same_label_in_every_view() {
     for view in ["2", "6"] {
         let line = four_bar(80, 24).press(view).press("/ r 4").last_line();
         assert_eq!(line, " search  name: r4    Enter keep  Esc back");
@@ -72,16 +71,16 @@ fn searching_is_called_the_same_everywhere() {
 }
 
 #[test]
-fn the_way_back_to_the_whole_motion_is_offered() {
+fn fit_key_is_shown_after_zooming() {
     let mut session = four_bar(80, 24);
     assert!(!session.last_line().contains("f fit"));
     assert!(session.press("z").last_line().contains("? help  f fit  "));
     assert!(!session.press("f").last_line().contains("f fit"));
 }
 
-/// The number at the end of the axis stands below its own tick, not below that before it.
+/// The number at the end of the axis is below its own tick, not below the previous one.
 #[test]
-fn every_number_of_an_axis_stands_below_its_tick() {
+fn axis_numbers_are_below_their_ticks() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         for keys in ["3", "3 X", "3 X X"] {
             let mut session = Session::new(preset("jansen-leg"), Glyphs::Ascii, cols, rows);
@@ -101,9 +100,9 @@ fn every_number_of_an_axis_stands_below_its_tick() {
     }
 }
 
-/// What is refused is named, and the name that was typed can be mended.
+/// The error names the missing folder, and the typed name can be corrected.
 #[test]
-fn a_folder_that_is_not_there_is_named() {
+fn missing_folder_is_named_and_can_be_corrected() {
     let mut session = four_bar(120, 40);
     session.press("W Ctrl-U").type_in("/nowhere/a.toml");
     let line = session.press("Enter").last_line();
@@ -116,9 +115,9 @@ fn a_folder_that_is_not_there_is_named() {
     std::fs::remove_dir_all(file.parent().unwrap()).unwrap();
 }
 
-/// Where the file is gone there is nothing to read over unsaved edits.
+/// A deleted file cannot be reloaded over unsaved edits.
 #[test]
-fn a_file_that_is_gone_is_not_offered() {
+fn deleted_file_is_not_offered_for_reload() {
     let file = folder("gone").join("a.toml");
     let text = presets::find("four-bar").unwrap().text;
     std::fs::write(&file, text).unwrap();

@@ -1,4 +1,4 @@
-//! The working shown in the workbench, as a terminal shows it.
+//! Tests the working view.
 
 use crate::claims::assert_told;
 use crate::screen::{Session, preset};
@@ -11,7 +11,7 @@ fn session(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
     session
 }
 
-/// Everything that scrolling leads to, line after line.
+/// Returns all lines of the view, found by scrolling.
 fn all(session: &mut Session) -> Vec<String> {
     let mut lines: Vec<String> = session.body().lines().map(str::to_owned).collect();
     for _ in 0..2_000 {
@@ -30,7 +30,7 @@ fn all(session: &mut Session) -> Vec<String> {
 }
 
 #[test]
-fn the_key_leads_to_the_working_and_back() {
+fn keys_open_the_working_and_return() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 25);
     let screen = session.look();
     assert!(
@@ -48,9 +48,8 @@ fn the_key_leads_to_the_working_and_back() {
     assert!(session.press("1").last_line().starts_with(" motion"));
 }
 
-/// From heading to heading, to the end and back.
 #[test]
-fn keys_lead_from_part_to_part() {
+fn keys_jump_between_headings() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
     let mut first = |key: &str| {
         session.press(key);
@@ -72,7 +71,7 @@ fn keys_lead_from_part_to_part() {
 }
 
 #[test]
-fn a_small_screen_wraps_and_a_large_one_has_room() {
+fn working_wraps_on_small_screens_and_fits_large_ones() {
     insta::assert_snapshot!(
         "working-40x12",
         session("four-bar", Glyphs::Ascii, 40, 12)
@@ -88,7 +87,7 @@ fn a_small_screen_wraps_and_a_large_one_has_room() {
 }
 
 #[test]
-fn scrolling_leads_through_all_of_it() {
+fn scrolling_reaches_every_part() {
     for (cols, rows) in [(40, 12), (80, 24), (120, 40)] {
         let lines = all(&mut session("slider-crank", Glyphs::Ascii, cols, rows));
         let text = lines.join("\n");
@@ -108,16 +107,16 @@ fn scrolling_leads_through_all_of_it() {
     }
 }
 
-/// Paused it shows this state, playing each as it comes.
+/// The view shows the current state, both paused and playing.
 #[test]
-fn the_working_follows_the_crank() {
+fn working_follows_the_driver() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 41);
     assert!(session.look().contains("at 60 deg"));
     assert!(session.press(".").look().contains("at 65 deg"));
     session.press("space").pass(1.0);
     let playing = session.look();
     assert!(!playing.contains("at 65 deg"), "{playing}");
-    // Where it was scrolled to, it stays.
+    // The scroll position is kept.
     let before = session.press("space J J J").body();
     let heading = before.lines().next().unwrap().to_owned();
     let after = session.press(".").body();
@@ -125,7 +124,7 @@ fn the_working_follows_the_crank() {
 }
 
 #[test]
-fn another_scene_has_another_working() {
+fn next_scene_shows_its_own_working() {
     let mut session = session("four-bar", Glyphs::Ascii, 80, 24);
     let before = session.body();
     assert_ne!(session.press("n").body(), before);
@@ -133,7 +132,7 @@ fn another_scene_has_another_working() {
 }
 
 #[test]
-fn greek_letters_are_spelled_where_there_are_none() {
+fn greek_letters_are_spelled_out_without_braille() {
     let shown = |glyphs| all(&mut session("four-bar", glyphs, 80, 24)).join("\n");
     for glyphs in [Glyphs::Ascii, Glyphs::Line] {
         let text = shown(glyphs);
@@ -147,7 +146,7 @@ fn greek_letters_are_spelled_where_there_are_none() {
 }
 
 #[test]
-fn a_dead_point_is_told() {
+fn dead_point_is_reported() {
     let mut session = session("double-rocker", Glyphs::Ascii, 80, 24);
     session
         .press("g")

@@ -1,10 +1,10 @@
-//! The name of a type is one thing's: whoever reads it knows which one is meant.
+//! Checks that type names are unique across krank.
 
 use super::sources;
 use std::collections::BTreeMap;
 use std::fs;
 
-/// Each is built for one kind of machine or another, or with a feature or without it, and never both.
+/// Types with two definitions for different platforms or features, only one of which is compiled.
 const TWINS: [&str; 6] = [
     "Canvas",
     "LockOutcome",
@@ -14,7 +14,8 @@ const TWINS: [&str; 6] = [
     "Watch",
 ];
 
-/// The type that a line of source begins to tell of, if it does; what belongs to another one stands further in.
+/// Returns the name of the top-level type that a source line declares. Indented lines, such as
+/// associated types, do not count.
 fn type_of(line: &str) -> Option<&str> {
     let line = match line.strip_prefix("pub(") {
         Some(inside) => inside.split_once(") ")?.1,
@@ -48,9 +49,9 @@ fn no_two_types_share_a_name() {
     assert!(places.is_empty(), "{places:#?}");
 }
 
-/// The reader of lines on samples.
+/// Tests the line parser on samples.
 #[test]
-fn types_are_told_from_what_belongs_to_them() {
+fn type_of_finds_only_top_level_types() {
     assert_eq!(
         type_of("pub(in crate::solver) struct Arm<T = f64> {"),
         Some("Arm")

@@ -1,9 +1,10 @@
-//! Every sentence stands in the catalogue: in the rooms of [`SAID`] no text outside `wording` has two words.
+//! Checks that all user-visible sentences are in the catalogue: in the modules of [`SAID`], no text
+//! outside `wording` has two words.
 
 use super::{files, is_test, module_path, source_folders, sources, tokens, without_tests};
 use std::fs;
 
-/// The rooms whose sentences stand in the catalogue.
+/// Modules whose sentences are in the catalogue.
 const SAID: [&[&str]; 15] = [
     &["capability"],
     &["cli"],
@@ -22,32 +23,33 @@ const SAID: [&[&str]; 15] = [
     &["tui"],
 ];
 
-/// Files in those rooms with texts that are not of the catalogue.
+/// Files in those modules with texts outside the catalogue.
 const OTHERS: [&[&str]; 14] = [
-    // What a shell is told.
+    // Commands for a shell.
     &["cli", "pager"],
-    // What a derived type is told, and nobody else.
+    // Messages between derived implementations only.
     &["document", "lenient"],
     &["scene", "limits"],
     &["scene", "sighted"],
-    // Markup, and what it looks like.
+    // Markup and style sheets.
     &["manual", "web"],
     &["page", "html"],
     &["page", "latex"],
     &["page", "style"],
     &["page", "svg"],
     &["page", "tikz"],
-    // An error of the library has its own text.
+    // Library errors have their own text.
     &["quantity", "catalogue"],
     // Units of two words.
     &["scene", "measure"],
-    // A number is called by the keys of the file.
+    // Numbers are named by the keys of the file.
     &["scene", "values"],
-    // Tests of how a message looks.
+    // Tests of rendered messages.
     &["scene", "refusals"],
 ];
 
-/// Whose texts nobody is told: they speak to whoever reads the code, or are compared with what others say.
+/// Functions and macros whose texts no user reads: they address readers of the code, or are
+/// compared with other texts.
 const UNSAID: [&str; 10] = [
     "assert",
     "assert_eq",
@@ -61,7 +63,7 @@ const UNSAID: [&str; 10] = [
     "unreachable",
 ];
 
-/// The texts of a file that are read as sentences, and stand where people would be told them.
+/// Returns the user-visible texts of a file that read as sentences.
 fn sentences(tokens: &[String]) -> Vec<&str> {
     let at = |i: usize| tokens.get(i).map_or("", String::as_str);
     let mut found = Vec::new();
@@ -72,7 +74,7 @@ fn sentences(tokens: &[String]) -> Vec<&str> {
             "#" if at(i + 1) == "!" && at(i + 2) == "[" => behind(tokens, i + 2),
             name if UNSAID.contains(&name) && at(i + 1) == "(" => behind(tokens, i + 1),
             name if UNSAID.contains(&name) && at(i + 1) == "!" => behind(tokens, i + 2),
-            // An error's own text is the library's.
+            // The text of an error type belongs to the library.
             "Display" if at(i + 1) == "for" => behind(tokens, i + 3),
             text => {
                 found.extend(text.strip_prefix('"').filter(|text| is_sentence(text)));
@@ -83,7 +85,7 @@ fn sentences(tokens: &[String]) -> Vec<&str> {
     found
 }
 
-/// Behind what the next bracket encloses.
+/// Returns the index after the next bracketed group.
 fn behind(tokens: &[String], from: usize) -> usize {
     let mut depth = 0;
     for (i, token) in tokens.iter().enumerate().skip(from) {
@@ -99,8 +101,8 @@ fn behind(tokens: &[String], from: usize) -> usize {
     tokens.len()
 }
 
-/// Whether there is a blank between two words, of two letters at the least since formulas have shorter ones; or a word
-/// between two things that are filled in.
+/// Returns `true` if two words of at least two letters are separated by a blank (formulas have
+/// shorter names), or if a word is between two placeholders.
 fn is_sentence(text: &str) -> bool {
     let mut depth = 0;
     let marked: String = text
@@ -122,10 +124,10 @@ fn is_sentence(text: &str) -> bool {
     parts.windows(2).any(|two| ends(two[0]) && begins(two[1])) || parts.windows(3).any(is_between)
 }
 
-/// Stands for what is filled in.
+/// Represents a placeholder.
 const FILLED: char = '\u{1}';
 
-/// The first of the rooms in which a module is.
+/// Returns the index of the first entry that contains a module.
 fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
     let holds =
         |room: &&[&str]| path.len() >= room.len() && path.iter().zip(*room).all(|(a, b)| a == b);
@@ -133,7 +135,7 @@ fn room_of(path: &[String], rooms: &[&[&str]]) -> Option<usize> {
 }
 
 #[test]
-fn sentences_stand_in_the_catalogue() {
+fn user_visible_sentences_are_in_the_catalogue() {
     let mut faults = Vec::new();
     let mut seen = [false; SAID.len()];
     for (file, inner) in sources() {
@@ -157,7 +159,7 @@ fn sentences_stand_in_the_catalogue() {
     assert!(faults.is_empty(), "\n{}\n", faults.join("\n"));
 }
 
-/// Whether a comment of the command line is what its help tells: of an option, a command or a value.
+/// Returns `true` if a doc comment would become help text: of an option, a command or a value.
 fn is_told_as_help(lines: &[&str]) -> bool {
     let mut behind = lines[1..]
         .iter()
@@ -169,7 +171,7 @@ fn is_told_as_help(lines: &[&str]) -> bool {
 }
 
 #[test]
-fn the_help_of_the_command_line_is_no_comment() {
+fn command_line_help_is_not_in_doc_comments() {
     let mut found = Vec::new();
     files(&source_folders()[0].join("cli/args"), &mut found);
     assert!(!found.is_empty());
@@ -188,7 +190,7 @@ fn the_help_of_the_command_line_is_no_comment() {
 }
 
 #[test]
-fn the_checker_finds_sentences_and_nothing_else() {
+fn checker_finds_only_user_visible_sentences() {
     let found = |text: &str| sentences(&without_tests(&tokens(text))).len();
     for bad in [
         "fn f() { say(\"not written\"); }",
