@@ -1,4 +1,5 @@
-//! From the motion of a planted linkage to a task, and by [`Synthesis::run`] back to it; and figures against the solver's own.
+//! Round trips: the motion of a known linkage becomes a task, and [`Synthesis::run`] finds the
+//! linkage again. Also compares values with the solver's own.
 
 use super::machine::Machine;
 use super::planted::PlantedDrive;
@@ -26,7 +27,7 @@ fn task(kind: TaskKind) -> Task {
     }
 }
 
-/// Poses of the coupler, with the tracer as its origin.
+/// Returns the poses of the coupler, with the tracer as its origin.
 fn poses(proposal: &Proposal) -> Vec<Pose> {
     let places = proposal.places.iter().enumerate();
     let pose = |(point, [b, c]): (usize, &[Vec2; 2])| Pose {
@@ -36,7 +37,8 @@ fn poses(proposal: &Proposal) -> Vec<Pose> {
     places.map(pose).collect()
 }
 
-/// By how much the nearest of them differs: in its pivots and first pins, in parts of the size.
+/// Returns the candidate nearest to a known linkage, and the largest difference of its pivots and
+/// first pins, relative to the size.
 fn nearest<'c>(
     found: impl IntoIterator<Item = &'c Candidate>,
     planted: &Proposal,
@@ -59,7 +61,7 @@ fn nearest<'c>(
     all.min_by(|one, other| one.0.total_cmp(&other.0))
 }
 
-/// The planted linkage is found, and what is said of it is what is said of itself.
+/// Checks that a synthesis finds the known linkage with the same evaluation as the linkage itself.
 fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
     let found = Synthesis::run(task, ORDER, &mut |_| true);
     let all = found.good.iter().chain(&found.defective);
@@ -77,7 +79,7 @@ fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
     }
 }
 
-/// Random four-bars that come to these turns, with and without defects.
+/// Calls `each` with random four-bars that reach these turns, with and without defects.
 fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive, &Proposal)) {
     let mut chance = SeededChance::new(17);
     let mut seen = [0, 0];
@@ -100,7 +102,7 @@ fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive,
     assert!(seen[0] > 0 && seen[1] > 0);
 }
 
-/// The last turn comes second.
+/// Moves the last turn to the second position.
 fn turns_back(turns: &[f64]) -> Vec<f64> {
     let mut turns = turns.to_vec();
     let last = turns.pop().expect("there are turns");
@@ -135,7 +137,8 @@ fn five_poses_come_back_alone() {
     });
 }
 
-/// Within a degree of the crank: as near as the rounding of the poses, which counts the more the nearer they are, allows.
+/// Within one degree of the crank: as accurate as the rounding of the poses allows, which matters
+/// more the closer they are.
 #[test]
 fn five_poses_that_nearly_repeat_come_back() {
     let turns = [0.0, 0.25, 0.5, 0.75, 1.0];
@@ -148,7 +151,7 @@ fn five_poses_that_nearly_repeat_come_back() {
     });
 }
 
-/// A function of a planted four-bar with its pivots along +x.
+/// Returns the function of a known four-bar with its pivots along +x.
 fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
@@ -199,8 +202,8 @@ fn pairs_of_a_function_come_back() {
     }
 }
 
-/// From pair to pair the crank turns by more than half a turn, and more than once in all: the way that the scale gives is
-/// taken, not the shortest.
+/// From pair to pair the crank turns by more than half a turn, and more than one turn in all: it
+/// turns as the scale says, not the shorter way.
 #[test]
 fn a_crank_turns_as_far_as_its_scale_says() {
     let planted = PlantedDrive {
@@ -228,7 +231,8 @@ fn a_crank_turns_as_far_as_its_scale_says() {
     assert!((judged.figures.transmission - least).abs() < 1e-9);
 }
 
-/// Between two sides of a triangle, against the third; of two lines, so at most a right one.
+/// Returns the angle between two sides of a triangle, from the third; between two lines, so at most
+/// 90 deg.
 fn angle_of(a: f64, b: f64, across: f64) -> f64 {
     let cosine = (a * a + b * b - across * across) / (2.0 * a * b);
     cosine.abs().min(1.0).acos().to_degrees()
@@ -265,7 +269,8 @@ fn the_same_seed_gives_the_same_on_any_threads() {
     }
 }
 
-/// The least angle between coupler and rocker, or coupler and the normal of the guide, at so many places of the solver.
+/// Returns the minimum angle between coupler and rocker, or between coupler and the guide's normal,
+/// in degrees, sampled by the solver.
 fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
     let machine = Machine::open(task, &candidate.proposal).expect("sound");
     let Machine { solver, b, c, .. } = machine;
@@ -321,7 +326,7 @@ fn the_least_transmission_is_that_of_small_steps() {
         task.slider_cranks = true;
         let judged = Candidate::judge(&task, &proposal);
         if !judged.does_it() {
-            // Who swings cannot come round on a closed path.
+            // A swinging crank cannot complete a closed path.
             continue;
         }
         seen[usize::from(slides)] += 1;
@@ -399,8 +404,8 @@ fn a_closed_path_is_not_come_round_by_who_swings() {
     assert_eq!(judged.defects, [TaskDefect::Order { from: 2, to: 0 }]);
 }
 
-/// Of four poses that are near each other, pivots and pins lie further away than the poses are apart: where none within the
-/// usual reach does it, a wider one is searched before that is said.
+/// For four poses near each other, pivots and pins are further away than the distance between the
+/// poses. If no linkage within the usual reach does the task, a wider reach is searched.
 #[test]
 fn four_poses_near_each_other_have_linkages_that_do_it() {
     let mut chance = SeededChance::new(23);

@@ -1,4 +1,4 @@
-//! Why nothing is proposed.
+//! Tests of the reasons for empty results.
 
 use super::planted::{Planted, turned};
 use crate::poses::{PoseReach, propose};
@@ -75,7 +75,7 @@ fn whatever_finds_nothing_has_its_reason() {
     };
     let all = propose(&given, true, true, None, PoseReach::Usual);
     assert_eq!((all.found.len(), all.reason), (0, Some(OpenReason::Given)));
-    // A planted four-bar with two dyads alone is no slider-crank.
+    // A four-bar with only two dyads is not a slider-crank.
     let mut paired = 0;
     for _ in 0..20 {
         let planted = Planted::four_bar(&mut chance, 5, 20.0);

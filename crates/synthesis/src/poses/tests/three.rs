@@ -1,4 +1,4 @@
-//! Three poses: a pin for each pivot, a pivot for each pin.
+//! Tests of three poses: a pin for each pivot, a pivot for each pin.
 
 use super::planted::{Planted, worst_miss};
 use crate::poses::guidance::Guidance;
@@ -32,7 +32,7 @@ fn given_pivots_or_pins_are_the_planted_linkage() {
     }
 }
 
-/// A given pin whose places are on a line is on a slide; one that is near is on a large link.
+/// A given pin with collinear positions is on a slide; a neighbouring pin is on a long link.
 #[test]
 fn a_pin_on_a_line_slides() {
     let mut chance = SeededChance::new(22);
@@ -58,7 +58,7 @@ fn a_pin_on_a_line_slides() {
     }
 }
 
-/// Pins that slide are on a circle.
+/// Pins on slides are on a circle.
 #[test]
 fn pins_that_slide_are_on_a_circle() {
     let mut chance = SeededChance::new(23);
@@ -116,11 +116,11 @@ fn free_linkages_are_many_different_and_right() {
             );
         }
     }
-    // Where the circle of pins that slide is far away, there is none that is handy.
+    // If the circle of sliding pins is far away, none of its pins is within reach.
     assert!(slider_cranks >= 27, "{slider_cranks}");
 }
 
-/// Shifts alone: every link is as long as every other, and turns with it.
+/// For translations alone, crank and rocker are equally long and turn together.
 #[test]
 fn three_shifts_have_parallelograms() {
     let pose = |x: f64, y: f64| Pose {
@@ -158,7 +158,7 @@ fn three_shifts_along_a_line_have_no_linkage() {
     );
 }
 
-/// The same task has the same linkages, whatever ran before.
+/// Repeated runs of a task give equal proposals.
 #[test]
 fn proposals_are_the_same_again() {
     let planted = Planted::four_bar(&mut SeededChance::new(25), 3, 20.0);
