@@ -119,7 +119,7 @@ mod tests {
     /// Drives each cognate by its own crank with its own lengths: it must draw the points of the
     /// first linkage at every angle.
     #[test]
-    fn cognates_draw_the_same_curve() {
+    fn cognates_draw_same_curve() {
         let mut chance = SeededChance::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
         for _ in 0..3000 {
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn the_last_cognate_of_a_four_bar_keeps_the_times() {
+    fn last_four_bar_cognate_keeps_times() {
         let mut chance = SeededChance::new(5);
         let turns: Vec<f64> = (0..40).map(|k| 9.0 * f64::from(k)).collect();
         let first = loop {
@@ -205,7 +205,7 @@ mod tests {
 
     /// Places the tracer on the coupler's line and on a pin, and leaves it out.
     #[test]
-    fn a_coupler_that_is_a_line_has_cognates_and_a_tracer_on_a_pin_has_not_all() {
+    fn tracer_on_pin_has_fewer_cognates() {
         let turns: Vec<f64> = (0..120).map(|k| 3.0 * f64::from(k)).collect();
         let bar = |arm| PlantedDrive {
             pivot: Vec2::new(3.0, -1.0),

@@ -82,7 +82,7 @@ impl PlantedRange {
 /// A linkage that reaches every pair but errs between them by more than a tenth of the swing does
 /// not follow its function.
 #[test]
-fn a_linkage_that_strays_between_the_pairs_is_a_defect() {
+fn straying_between_pairs_is_structural_error() {
     let planted = PlantedRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],
@@ -124,7 +124,7 @@ fn a_linkage_that_strays_between_the_pairs_is_a_defect() {
 /// For a swinging linkage, the solver may count the crank's angle from another turn than the task
 /// does.
 #[test]
-fn the_least_transmission_is_that_of_the_way() {
+fn minimum_transmission_angle_is_over_task_range() {
     let swings = |ends| PlantedRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],

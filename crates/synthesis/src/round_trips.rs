@@ -111,7 +111,7 @@ fn turns_back(turns: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn three_poses_with_their_pivots_come_back() {
+fn three_poses_with_pivots_recover_linkage() {
     each_planted(24, &[0.0, 25.0, 60.0], &mut |planted, proposal| {
         let Partner::Rocker(d) = planted.far else {
             unreachable!("a four-bar")
@@ -126,7 +126,7 @@ fn three_poses_with_their_pivots_come_back() {
 }
 
 #[test]
-fn five_poses_come_back_alone() {
+fn five_poses_recover_linkage() {
     let turns = [0.0, 30.0, 65.0, 95.0, 130.0];
     each_planted(12, &turns, &mut |planted, proposal| {
         let task = task(TaskKind::Poses(PoseTask {
@@ -140,7 +140,7 @@ fn five_poses_come_back_alone() {
 /// Within one degree of the crank: as accurate as the rounding of the poses allows, which matters
 /// more the closer they are.
 #[test]
-fn five_poses_that_nearly_repeat_come_back() {
+fn five_nearly_repeated_poses_recover_linkage() {
     let turns = [0.0, 0.25, 0.5, 0.75, 1.0];
     each_planted(12, &turns, &mut |planted, proposal| {
         let task = task(TaskKind::Poses(PoseTask {
@@ -184,7 +184,7 @@ fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Prop
 }
 
 #[test]
-fn pairs_of_a_function_come_back() {
+fn function_pairs_recover_linkage() {
     let mut chance = SeededChance::new(23);
     let mut seen = 0;
     while seen < 24 {
@@ -205,7 +205,7 @@ fn pairs_of_a_function_come_back() {
 /// From pair to pair the crank turns by more than half a turn, and more than one turn in all: it
 /// turns as the scale says, not the shorter way.
 #[test]
-fn a_crank_turns_as_far_as_its_scale_says() {
+fn crank_turns_by_its_scale_beyond_half_turn() {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
@@ -239,7 +239,7 @@ fn angle_of(a: f64, b: f64, across: f64) -> f64 {
 }
 
 #[test]
-fn the_same_seed_gives_the_same_on_any_threads() {
+fn same_seed_gives_same_synthesis_for_any_thread_count() {
     let points = [[0.0, 0.0], [10.0, 4.0], [20.0, 5.0], [30.0, 3.0]];
     let path = task(TaskKind::Path(PathTask {
         points: points.map(|[x, y]| Vec2::new(x, y)).to_vec(),
@@ -301,7 +301,7 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
 }
 
 #[test]
-fn the_least_transmission_is_that_of_small_steps() {
+fn minimum_transmission_angle_matches_sampling() {
     let mut chance = SeededChance::new(29);
     let mut seen = [0; 3];
     while seen.iter().any(|seen| *seen < 12) {
@@ -341,7 +341,7 @@ fn the_least_transmission_is_that_of_small_steps() {
 }
 
 #[test]
-fn misses_count_by_their_weights() {
+fn misses_are_weighted() {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
@@ -372,7 +372,7 @@ fn misses_count_by_their_weights() {
 }
 
 #[test]
-fn a_closed_path_is_not_come_round_by_who_swings() {
+fn swinging_crank_fails_closed_path() {
     // The coupler is too short for the crank to turn.
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
@@ -407,7 +407,7 @@ fn a_closed_path_is_not_come_round_by_who_swings() {
 /// For four poses near each other, pivots and pins are further away than the distance between the
 /// poses. If no linkage within the usual reach does the task, a wider reach is searched.
 #[test]
-fn four_poses_near_each_other_have_linkages_that_do_it() {
+fn four_nearby_poses_have_working_linkages() {
     let mut chance = SeededChance::new(23);
     let (mut done, mut narrow) = (0, 0);
     let mut seen = 0;

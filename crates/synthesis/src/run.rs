@@ -146,8 +146,8 @@ impl Synthesis {
 
 /// Adds, after each linkage, its cognates, which guide the same point along the same curve.
 ///
-/// If the crank's turns are given, only the cognate that keeps them is added. If pivots are given,
-/// no cognates are added, since they have other pivots.
+/// If the crank's turns are given, only the cognate that keeps them is added. With given
+/// pivots, cognates are left out, since they have other pivots.
 fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
     let mut found = Vec::new();
     for one in &proposals.found {

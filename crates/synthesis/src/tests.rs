@@ -87,7 +87,7 @@ const SWINGING: KnownFourBar = KnownFourBar {
 };
 
 #[test]
-fn what_does_its_task_has_no_defect() {
+fn working_linkage_has_no_defect() {
     let stops = [10.0, 70.0, 150.0, 290.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -115,7 +115,7 @@ fn what_does_its_task_has_no_defect() {
 }
 
 #[test]
-fn another_circuit_is_named_between_its_points() {
+fn circuit_change_is_reported_between_its_points() {
     let stops = [(10.0, true), (70.0, true), (150.0, false), (290.0, false)];
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -123,7 +123,7 @@ fn another_circuit_is_named_between_its_points() {
 }
 
 #[test]
-fn another_branch_is_named_where_no_pivot_can_drive() {
+fn branch_defect_is_reported_if_neither_pivot_can_drive() {
     let low_high = |known: &KnownFourBar| {
         let places = (-1800..1800).map(|k| f64::from(k) * 0.1);
         let found: Vec<f64> = places.filter(|at| known.at(*at, true).is_some()).collect();
@@ -153,7 +153,7 @@ fn another_branch_is_named_where_no_pivot_can_drive() {
 }
 
 #[test]
-fn an_order_that_turns_back_is_named_if_it_is_wished() {
+fn turning_back_is_defect_only_if_order_is_wanted() {
     let stops = [10.0, 150.0, 70.0, 120.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -166,7 +166,7 @@ fn an_order_that_turns_back_is_named_if_it_is_wished() {
 }
 
 #[test]
-fn poses_that_are_not_met_are_missed() {
+fn unmet_poses_are_reported_as_missed() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let judged = |change: fn(&mut Vec<Pose>)| {
@@ -186,7 +186,7 @@ fn poses_that_are_not_met_are_missed() {
 }
 
 #[test]
-fn wishes_that_are_not_kept_are_told() {
+fn unmet_wanted_properties_are_reported() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (mut task, proposal) = TURNING.poses(&stops).unwrap();
     task.wishes = Wishes {
@@ -205,7 +205,7 @@ fn wishes_that_are_not_kept_are_told() {
 }
 
 #[test]
-fn numbers_that_are_none_are_no_linkage() {
+fn non_finite_proposal_is_unopened() {
     let (task, mut proposal) = TURNING
         .poses(&[(10.0, true), (70.0, true), (90.0, true)])
         .unwrap();
@@ -224,7 +224,7 @@ fn numbers_that_are_none_are_no_linkage() {
 proptest! {
     /// A defect is reported exactly where a motion in small steps has to leave the assembly.
     #[test]
-    fn defects_are_those_of_a_walk(
+    fn defects_match_stepwise_motion(
         crank in 60.0..400.0_f64,
         coupler in 100.0..400.0_f64,
         rocker in 100.0..400.0_f64,

@@ -159,7 +159,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_crank_comes_round_one_way() {
+    fn full_turn_crank_prefers_one_direction() {
         let way = turning(&[350.0, 10.0, 40.0], None);
         assert_eq!(way.at, [350.0, 370.0, 400.0]);
         assert_eq!(way.turns_back, None);
@@ -177,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn in_any_order_it_takes_the_least_turn() {
+    fn unordered_points_take_smallest_rotation() {
         assert_eq!(
             anyhow(&[0.0, 200.0, 100.0, 150.0]),
             [0.0, 200.0, 100.0, 150.0]
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_back_by_rounding_stands() {
+    fn rounding_is_not_turning_back() {
         let way = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
         assert_eq!(way.turns_back, None);
         assert!((way.at[3] - 90.0).abs() < 1e-9, "{way:?}");
@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_given_way_is_taken_as_it_is() {
+    fn given_rotations_are_kept() {
         assert_eq!(
             given(&[0.0, 250.0, 500.0], None)[1..],
             [Some(250.0), Some(500.0)]
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rocker_stays_between_its_limits() {
+    fn swinging_crank_stays_between_limits() {
         let at = swinging(&[350.0, 10.0, 100.0], (-30.0, 60.0));
         assert_eq!(at, [Some(-10.0), Some(10.0), None]);
     }

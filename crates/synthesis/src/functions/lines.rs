@@ -154,7 +154,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_products_on_a_plane() {
+    fn cubic_condition_on_plane_finds_known_solution() {
         // x = 1, y = 2 z + w with x y z = w^3 is a cubic in w / x; the known vector (1, 5, 2, 1)
         // solves the rows.
         let rows = [vec![5.0, -1.0, 0.0, 0.0], vec![0.0, 1.0, -2.0, -1.0]];
@@ -169,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_repeat_leave_solutions_without_number() {
+    fn dependent_rows_give_sampled_family() {
         let rows = [vec![1.0, 2.0, 3.0], vec![2.0, 4.0, 6.0]];
         let solved = solved(&rows, 1, |_| 0.0);
         assert!(!solved.is_complete && solved.vectors.len() == SAMPLES);

@@ -151,7 +151,7 @@ mod tests {
     use kinematics::numeric::SeededChance;
 
     #[test]
-    fn derivatives_are_those_of_the_output_and_of_what_is_missing() {
+    fn derivatives_match_difference_quotients() {
         let mut chance = SeededChance::new(7);
         let mut closed = 0;
         for round in 0..2000 {

@@ -83,7 +83,7 @@ impl FunctionSearch<'_> {
     /// Searches for linkages and returns them with the best first.
     ///
     /// `watch` receives the completed part, from 0 to 1, and stops the search by returning `false`;
-    /// the linkages found until then are returned. The same task gives the same linkages for any
+    /// the linkages found until then are returned. Equal tasks give equal linkages for any
     /// number of threads.
     ///
     /// As many pairs as there are unknowns (three lengths, or two for a slide, and every free datum

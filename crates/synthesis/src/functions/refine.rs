@@ -251,7 +251,7 @@ mod tests {
 
     /// R'Q'r = J'r is half the slope of the sum of squares.
     #[test]
-    fn slopes_are_those_of_the_sum() {
+    fn slopes_match_difference_quotients() {
         let mut chance = SeededChance::new(11);
         for round in 0..200 {
             let output = if round % 2 == 0 {

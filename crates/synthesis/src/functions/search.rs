@@ -254,7 +254,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_subset_has_no_pair_twice() {
+    fn subsets_have_distinct_ascending_indices() {
         for needed in 2..6 {
             for count in needed + 1..30 {
                 for subset in subsets(needed, count) {

@@ -27,7 +27,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_between_one_and_two() {
+    fn three_chebyshev_pairs_between_one_and_two() {
         let pairs = chebyshev_pairs(|x| Some(x * x), [1.0, 2.0], 3).unwrap();
         let known = [1.0 + 0.066_987_298, 1.5, 1.933_012_702];
         for ([x, y], known) in pairs.into_iter().zip(known) {

@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stop_holds_for_all_that_follows() {
+    fn stop_prevents_all_later_stages() {
         let mut parts = Vec::new();
         let mut watch = |part| {
             parts.push(part);

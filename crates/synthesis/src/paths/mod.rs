@@ -74,7 +74,7 @@ impl PathSearch<'_> {
     /// Searches for linkages.
     ///
     /// `watch` receives the completed part, from 0 to 1, and stops the search by returning `false`;
-    /// the linkages found until then are returned. The same seed gives the same linkages.
+    /// the linkages found until then are returned. Equal seeds give equal linkages.
     ///
     /// The result is empty for fewer than two different points, or if a number is not finite.
     #[must_use]

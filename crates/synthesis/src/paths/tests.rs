@@ -151,7 +151,7 @@ fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
 }
 
 #[test]
-fn planted_four_bars_with_times_are_found_again() {
+fn planted_four_bars_with_times_are_recovered() {
     let shares = [recovered(false, true, 12), recovered(true, true, 12)];
     assert!(shares[0] >= 12 && shares[1] >= 12, "{shares:?}");
 }
@@ -159,13 +159,13 @@ fn planted_four_bars_with_times_are_found_again() {
 /// Without times, an open path has long valleys in which the descent does not converge: only some
 /// are found.
 #[test]
-fn some_planted_four_bars_without_times_are_found_again() {
+fn some_planted_four_bars_without_times_are_recovered() {
     let shares = [recovered(false, false, 12), recovered(true, false, 12)];
     assert!(shares[0] >= 4 && shares[1] >= 10, "{shares:?}");
 }
 
 #[test]
-fn planted_slider_cranks_are_found_again() {
+fn planted_slider_cranks_are_recovered() {
     let mut chance = SeededChance::new(3);
     let mut met = [0, 0];
     for k in 0..10 {
@@ -190,7 +190,7 @@ fn planted_slider_cranks_are_found_again() {
 
 /// With noise of 1 % of the size, the linkages found miss by no more than the noise.
 #[test]
-fn noise_is_met_by_its_own_size() {
+fn misses_do_not_exceed_noise() {
     let mut chance = SeededChance::new(21);
     for k in 0..6 {
         let (_, turns, mut points) = planted(&mut chance, false, k % 2 == 0, 16 + k);
@@ -215,7 +215,7 @@ fn noise_is_met_by_its_own_size() {
 
 /// Two to six points on a line are met.
 #[test]
-fn few_points_on_a_line_are_met() {
+fn few_points_on_line_are_met() {
     for count in 2..=6 {
         let points: Vec<Vec2> = (0..count)
             .map(|j| Vec2::new(20.0, 20.0 + 5.0 * f64::from(j)))
@@ -286,7 +286,7 @@ fn given_pivots_are_kept() {
 
 /// A point of zero weight has no influence, and one of very large weight is met.
 #[test]
-fn weights_count() {
+fn weights_control_misses() {
     let mut chance = SeededChance::new(8);
     let (_, turns, mut points) = planted(&mut chance, false, true, 14);
     let shift = Vec2::new(0.5, 0.3) * size(&points);
@@ -304,7 +304,7 @@ fn weights_count() {
 }
 
 #[test]
-fn the_same_seed_finds_the_same_on_any_number_of_threads() {
+fn same_seed_gives_same_linkages_for_any_thread_count() {
     let mut chance = SeededChance::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
@@ -324,7 +324,7 @@ fn the_same_seed_finds_the_same_on_any_number_of_threads() {
 }
 
 #[test]
-fn whoever_watches_is_told_the_part_and_may_stop() {
+fn search_reports_progress_and_can_be_stopped() {
     let mut chance = SeededChance::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
@@ -349,7 +349,7 @@ fn whoever_watches_is_told_the_part_and_may_stop() {
 
 /// The linkages found are all different.
 #[test]
-fn no_two_results_are_one() {
+fn results_are_distinct() {
     let points: Vec<Vec2> = (0..5)
         .map(|j| Vec2::new(f64::from(j), f64::from(j * j) * 0.1))
         .collect();
@@ -368,7 +368,7 @@ fn no_two_results_are_one() {
 
 /// For any points, nothing panics and all results are finite.
 #[test]
-fn odd_points_are_no_trouble() {
+fn degenerate_points_give_finite_linkages() {
     let circle = |count: u32| -> Vec<Vec2> {
         let step = 360.0 / f64::from(count);
         (0..count)
@@ -448,7 +448,7 @@ fn odd_points_are_no_trouble() {
 
 /// Compares the derivatives of the coupler's angle with difference quotients.
 #[test]
-fn rates_are_those_of_the_coupler() {
+fn coupler_rates_match_difference_quotients() {
     use super::shape::LinkageShape;
     let mut chance = SeededChance::new(6);
     let mut held = 0;
@@ -590,7 +590,7 @@ fn points_out_of_order_by_noise_are_met_in_order() {
 /// A search with preferences finds linkages that meet them, if these exist; a search without them
 /// finds none here.
 #[test]
-fn a_search_looks_for_what_is_wished() {
+fn search_finds_linkages_with_wanted_properties() {
     let points: Vec<Vec2> = (0..6)
         .map(|k| Vec2::new(20.0, 20.0 + 5.0 * f64::from(k)))
         .collect();

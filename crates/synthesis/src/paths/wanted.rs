@@ -15,7 +15,7 @@ pub(super) struct PathPart {
 /// The given pivots and the links to which they belong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum HeldPivots {
-    /// No pivot is given.
+    /// The case without given pivots.
     Free,
     /// The crank's pivot.
     Crank(Vec2),

@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn planted_roots_are_found_to_twice_the_digits() {
+    fn planted_roots_are_found_to_double_double_precision() {
         let roots = [-300.25, -1.5, -1.499_999_999, 0.0, 1e-7, 2.0];
         let found = real_roots(&planted(&roots), 1e6).crossed;
         assert_eq!(found.len(), roots.len());
@@ -189,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn a_double_root_is_touched_and_those_without_reals_have_none() {
+    fn double_root_is_touched_and_complex_roots_are_ignored() {
         let found = real_roots(&planted(&[3.0, 3.0, -1.0]), 1e6);
         assert_eq!(found.crossed.len() % 2, 1);
         assert!(found.touched.iter().any(|r| (r.hi - 3.0).abs() < 1e-14));
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_determinant_of_forms_is_the_determinant_of_their_values() {
+    fn determinant_of_forms_matches_determinant_of_values() {
         let number = |k: usize| Double::exactly(((k * 37 + 11) % 23) as f64 - 11.0);
         let row = |r: usize| -> [Triple; 3] {
             std::array::from_fn(|c| std::array::from_fn(|v| number(9 * r + 3 * c + v)))
@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_root_is_divided_out() {
+    fn deflation_divides_out_root() {
         let p = planted(&[2.0, -1.0, 5.0]);
         assert_eq!(deflated(&p, Double::exactly(5.0)), planted(&[2.0, -1.0]));
     }

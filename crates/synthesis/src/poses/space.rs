@@ -99,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_kernel_is_orthogonal_to_all_rows() {
+    fn kernel_is_orthogonal_to_all_rows() {
         let exact = |v: [f64; 3]| v.map(Double::exactly);
         let rows = [[1.0, 2.0, 3.0], [1.0, 2.0, 3.0], [0.5, -1.0, 4.0]].map(exact);
         let kernel = kernel(&rows).unwrap();
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn four_equations_are_solved_and_singular_ones_are_not() {
+    fn solves_four_equations_and_rejects_singular_ones() {
         let entry = |i: usize, j: usize| Double::exactly(1.0 / (i + j + 1) as f64);
         let rows: [[Double; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         let planted = [1.0, -2.0, 3.0, 0.5].map(Double::exactly);

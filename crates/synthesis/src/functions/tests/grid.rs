@@ -135,7 +135,7 @@ fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
 /// and how many of these have positive ratios. A program that rejects negative ratios finds little
 /// more than a third.
 #[test]
-fn negative_ratios_are_linkages_too() {
+fn negative_ratios_give_usable_linkages() {
     let (mut serviceable, mut positive) = (0, 0);
     over_the_grid(|wish, swing, begin| {
         let task = task(wish, swing, begin, 3, false);
@@ -153,7 +153,7 @@ fn negative_ratios_are_linkages_too() {
 
 /// Five pairs with both datums free: measured on 30 tasks, how many have a serviceable four-bar.
 #[test]
-fn free_datums_serve_most_tasks() {
+fn free_datums_solve_most_tasks() {
     let (mut serviceable, mut errors) = (0, Vec::new());
     over_the_grid(|wish, swing, begin| {
         if begin != BEGINS[0] {

@@ -146,7 +146,7 @@ fn law_of(output: Output, free: [bool; 4]) -> PlantedLaw {
 
 /// By algebra: every known linkage is found, together with all others.
 #[test]
-fn as_many_pairs_as_unknowns_find_every_linkage() {
+fn exactly_determined_tasks_find_all_linkages() {
     let (t, f) = (true, false);
     for (output, count, free) in [
         (Output::Angle, 3, [f, f, f, f]),
@@ -168,7 +168,7 @@ fn as_many_pairs_as_unknowns_find_every_linkage() {
 /// By least squares from algebra, and from many starts if scales are free: the result is never
 /// complete.
 #[test]
-fn more_pairs_and_free_scales_find_the_planted_linkage() {
+fn more_pairs_and_free_scales_find_planted_linkage() {
     let (t, f) = (true, false);
     for (output, count, free, rounds) in [
         (Output::Angle, 5, [f, f, f, f], 40),
@@ -188,7 +188,7 @@ fn more_pairs_and_free_scales_find_the_planted_linkage() {
 /// With noise of a hundredth of a degree, the best linkage fits the pairs at least as well as the
 /// known one.
 #[test]
-fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
+fn noise_is_fitted_as_well_as_by_planted_linkage() {
     let mut chance = SeededChance::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
@@ -225,7 +225,7 @@ fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
 /// Pairs that repeat exactly or nearly, constant outputs, equal angles and non-finite numbers: all
 /// results are finite, with a place at every pair.
 #[test]
-fn hardly_anything_to_go_by_does_no_harm() {
+fn degenerate_pairs_give_finite_linkages() {
     let nan = f64::NAN;
     let dwell = [
         [0.0, 50.0],
@@ -311,7 +311,7 @@ fn hardly_anything_to_go_by_does_no_harm() {
 
 /// An empty result is not complete if the task is not sound.
 #[test]
-fn a_task_that_is_not_sound_finds_nothing() {
+fn unsound_task_finds_nothing() {
     let mut task =
         PlantedFunction::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
@@ -327,7 +327,7 @@ fn a_task_that_is_not_sound_finds_nothing() {
 
 /// Fewer pairs than unknowns: several linkages, all through the pairs, with constant lengths.
 #[test]
-fn solutions_without_number_are_proposed_in_part() {
+fn underdetermined_task_proposes_sample_of_family() {
     let mut chance = SeededChance::new(9);
     for output in [Output::Angle, Output::Slide] {
         let planted = PlantedFunction::draw(&mut chance, output, 3);
@@ -353,7 +353,7 @@ fn solutions_without_number_are_proposed_in_part() {
 
 /// A run uses the fitted datums and scales, and follows a known function between its pairs, too.
 #[test]
-fn a_run_follows_the_planted_function_between_the_pairs() {
+fn run_follows_planted_function_between_pairs() {
     let mut chance = SeededChance::new(21);
     let mut followed = 0;
     for round in 0..60 {

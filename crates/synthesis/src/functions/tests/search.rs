@@ -18,7 +18,7 @@ fn squares(task: &FunctionTask, proposal: &Proposal) -> f64 {
 /// Twenty pairs with noise of a hundredth of the swing. The search used to find nothing, since
 /// algebra led away from the minimum.
 #[test]
-fn noisy_pairs_are_fitted_as_well_as_by_what_was_planted() {
+fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
     let mut chance = SeededChance::new(501);
     let free = [true, false, true, false];
     let mut fitted = 0;
@@ -45,7 +45,7 @@ fn noisy_pairs_are_fitted_as_well_as_by_what_was_planted() {
 /// Both scales free and both datums given: five pairs have many linkages. The known one, with usual
 /// lengths, is among the results; none occurs twice, and none is too slender.
 #[test]
-fn free_scales_find_linkages_of_usual_lengths_once() {
+fn free_scales_find_distinct_linkages_of_usual_lengths() {
     let mut chance = SeededChance::new(77);
     let free = [false, true, false, true];
     let (mut recovered, rounds) = (0, 12);
@@ -69,7 +69,7 @@ fn free_scales_find_linkages_of_usual_lengths_once() {
 /// The result does not depend on the number of threads. The reported progress never decreases and
 /// ends at 1. A stopped search returns the linkages found so far.
 #[test]
-fn a_search_is_watched_and_stopped() {
+fn search_reports_progress_and_can_be_stopped() {
     let planted = PlantedFunction::draw(&mut SeededChance::new(3), Output::Angle, 100);
     let free = [true, false, true, false];
     let task = planted.task(LAW, free);
@@ -96,7 +96,7 @@ fn a_search_is_watched_and_stopped() {
 
 /// A slider-crank begins at its given start angle, not opposite to it.
 #[test]
-fn a_given_start_of_a_slider_crank_is_kept() {
+fn slider_crank_keeps_given_start() {
     let mut chance = SeededChance::new(12);
     for free in [
         [false, false, true, true],

@@ -41,7 +41,7 @@ fn both_planted_dyads_are_among_at_most_four() {
 }
 
 #[test]
-fn all_pairs_are_proposed_and_come_through_the_poses() {
+fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
     let mut chance = SeededChance::new(2);
     let mut most = 0;
     for n in 0..200 {
@@ -110,7 +110,7 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> u
 }
 
 #[test]
-fn nothing_is_missed_that_newton_finds_from_everywhere() {
+fn all_dyads_found_by_newton_are_present() {
     let mut chance = SeededChance::new(3);
     let planted = |chance: &mut SeededChance| Planted::four_bar(chance, 5, 15.0).task;
     let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut chance)).collect();
@@ -124,7 +124,7 @@ fn nothing_is_missed_that_newton_finds_from_everywhere() {
 /// Mirrored poses, origins on a line and on a circle, and pairs of equal angles: pins with equal x
 /// or y, and dyads at infinity.
 #[test]
-fn nothing_is_missed_of_special_poses() {
+fn special_poses_have_all_dyads_found_by_newton() {
     let task = |poses: [(f64, f64, f64); 5]| PoseTask {
         poses: poses
             .map(|(x, y, angle)| Pose {
@@ -269,7 +269,7 @@ fn nearly_degenerate_poses_lose_no_digits() {
 /// An error of 1e-6 in the poses changes the dyads by that error times a condition number, which is
 /// below a thousand for nearly all linkages with well-separated poses.
 #[test]
-fn noise_moves_dyads_by_little() {
+fn small_noise_moves_dyads_slightly() {
     let mut chance = SeededChance::new(6);
     let mut offs: Vec<f64> = Vec::new();
     for _ in 0..200 {
@@ -291,7 +291,7 @@ fn noise_moves_dyads_by_little() {
 
 /// Scaling the poses changes only their rounding.
 #[test]
-fn sizes_and_places_do_not_matter() {
+fn scaling_poses_scales_dyads() {
     let mut chance = SeededChance::new(7);
     for scale in [1e-6, 1.0, 1e7] {
         for _ in 0..40 {
@@ -318,7 +318,7 @@ fn sizes_and_places_do_not_matter() {
 /// A parallelogram's coupler only translates: every pin has a pivot, so that a finite number of
 /// dyads is never complete.
 #[test]
-fn a_parallelogram_has_any_number_of_dyads() {
+fn parallelogram_has_infinitely_many_dyads() {
     let poses = [0.0, 30.0, 75.0, 140.0, 200.0].map(|crank| Pose {
         at: Vec2::new(1.0, 2.0) + turned(1.5, crank),
         angle: 20.0,
@@ -339,7 +339,7 @@ fn a_parallelogram_has_any_number_of_dyads() {
 
 /// Translations off a circle have no link; translations along a line have only slides.
 #[test]
-fn shifts_without_a_circle_have_no_linkage() {
+fn translations_off_circle_have_no_linkage() {
     let at = |places: [(f64, f64); 5]| PoseTask {
         poses: places
             .map(|(x, y)| Pose {
@@ -357,7 +357,7 @@ fn shifts_without_a_circle_have_no_linkage() {
 
 /// A body that rotates about a fixed point gets no linkage with a link of zero length.
 #[test]
-fn a_turn_about_a_point_is_no_linkage() {
+fn rotation_about_point_gives_no_zero_length_crank() {
     let pole = Vec2::new(3.0, -1.0);
     let poses = [0.0, 20.0, 50.0, 110.0, 170.0].map(|turn| Pose {
         at: pole + turned(2.0, turn + 10.0),
@@ -380,7 +380,7 @@ fn a_turn_about_a_point_is_no_linkage() {
 /// fifth pose there is a line of pins, all with the middle as their pivot, so that no two of them
 /// form a linkage.
 #[test]
-fn poses_that_say_too_little_have_a_curve() {
+fn dependent_poses_have_curve_of_dyads() {
     let places = [
         (0.0, 0.0, 0.0),
         (1.0, 0.0, 90.0),
@@ -409,7 +409,7 @@ fn poses_that_say_too_little_have_a_curve() {
 /// Cardan's motion: two pins on perpendicular lines. Every pin of a circle moves along a line, and
 /// the circle's centre moves on a circle.
 #[test]
-fn an_ellipse_trammel_has_a_family_of_slides() {
+fn elliptic_trammel_has_family_of_slides() {
     let poses = [10.0, 40.0, 75.0, 160.0, 250.0].map(|turn| {
         let along = angle::unit(turn);
         Pose {
@@ -434,7 +434,7 @@ fn an_ellipse_trammel_has_a_family_of_slides() {
 /// A given pivot or pin is kept exactly, and the result contains only linkages with it; a pivot
 /// that fits no dyad gives an empty result.
 #[test]
-fn what_is_given_is_kept() {
+fn given_pivots_and_pins_are_kept() {
     let mut chance = SeededChance::new(9);
     for _ in 0..40 {
         let planted = Planted::four_bar(&mut chance, 5, 20.0);
@@ -472,7 +472,7 @@ fn what_is_given_is_kept() {
 }
 
 #[test]
-fn nonsense_proposes_nothing_and_does_not_panic() {
+fn degenerate_poses_give_finite_linkages() {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         at: Vec2::new(x, y),
         angle,

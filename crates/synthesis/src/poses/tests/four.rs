@@ -69,7 +69,7 @@ fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
 }
 
 #[test]
-fn no_branch_and_no_oval_is_missed() {
+fn curve_includes_all_branches_and_ovals() {
     let mut chance = SeededChance::new(11);
     let (mut roots, mut ovals) = (0, 0);
     for _ in 0..24 {
@@ -86,7 +86,7 @@ fn no_branch_and_no_oval_is_missed() {
 
 /// Spots are as close to each other as they are drawn, and all of them pass through the poses.
 #[test]
-fn the_curve_is_traced_in_small_steps() {
+fn curve_is_traced_in_small_steps() {
     let mut chance = SeededChance::new(12);
     for n in 0..40 {
         let planted = if n % 2 == 0 {
@@ -127,7 +127,7 @@ fn the_curve_is_traced_in_small_steps() {
 
 /// Known dyads are on the curve. A given pivot or pin of one of them yields the known dyad.
 #[test]
-fn planted_dyads_are_on_the_curve() {
+fn planted_dyads_are_on_curve() {
     let mut chance = SeededChance::new(13);
     for n in 0..40 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -150,7 +150,7 @@ fn planted_dyads_are_on_the_curve() {
 /// The single slide of four poses is the known one. It is on the curve where the pivots pass
 /// through infinity.
 #[test]
-fn the_slide_of_four_poses_is_the_planted_one() {
+fn slide_of_four_poses_is_planted_slide() {
     let mut chance = SeededChance::new(14);
     for n in 0..40 {
         let planted = Planted::slider_crank(&mut chance, 4, 20.0);
@@ -164,7 +164,7 @@ fn the_slide_of_four_poses_is_the_planted_one() {
 }
 
 #[test]
-fn linkages_of_four_poses_come_through_them() {
+fn linkages_of_four_poses_pass_through_them() {
     let mut chance = SeededChance::new(15);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -190,7 +190,7 @@ fn linkages_of_four_poses_come_through_them() {
 /// Two given pivots determine the linkage, one is in all linkages, and a pivot off the curve gives
 /// none.
 #[test]
-fn what_is_given_of_four_poses_is_kept() {
+fn four_poses_keep_given_pivots_and_pins() {
     let mut chance = SeededChance::new(16);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -225,7 +225,7 @@ fn what_is_given_of_four_poses_is_kept() {
 
 /// Poses that nearly repeat, and pairs of nearly equal angles: the known dyads are on the curve.
 #[test]
-fn special_poses_have_their_curve() {
+fn curve_of_special_poses_contains_known_dyads() {
     let mut chance = SeededChance::new(17);
     for n in 0..30 {
         let shape = PlantedForm::four_bar(&mut chance);
@@ -252,7 +252,7 @@ fn special_poses_have_their_curve() {
 
 /// Two pairs of translations: the curve is a conic, and its pins have pivots everywhere.
 #[test]
-fn two_pairs_of_equal_angles_have_a_conic() {
+fn two_pairs_of_equal_angles_have_conic_curve() {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         at: Vec2::new(x, y),
         angle,
@@ -285,7 +285,7 @@ fn two_pairs_of_equal_angles_have_a_conic() {
 
 /// Mirrored poses: the cubic consists of a line and a circle, and both are traced.
 #[test]
-fn mirrored_poses_have_a_line_and_a_circle() {
+fn curve_of_mirrored_poses_is_line_and_circle() {
     let pose = |x: f64, angle: f64| Pose {
         at: Vec2::new(x, 0.2 * x * x),
         angle,
@@ -318,7 +318,7 @@ fn mirrored_poses_have_a_line_and_a_circle() {
 /// The proposals contain the known slide of slider-cranks and, with a given crank pivot, the whole
 /// linkage, even for poses only a few degrees apart.
 #[test]
-fn planted_slider_cranks_come_back() {
+fn planted_slider_cranks_are_recovered() {
     // The closer the poses, the larger the effect of their rounding on the linkages.
     for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
         let mut chance = SeededChance::new(70);

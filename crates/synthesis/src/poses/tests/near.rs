@@ -44,7 +44,7 @@ fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
 /// Even if all poses are within 0.003 rad and 0.3 mm of each other, both known dyads are found and
 /// paired, whether or not the result is complete.
 #[test]
-fn poses_that_nearly_repeat_have_their_planted_dyads() {
+fn nearly_repeated_poses_have_planted_dyads() {
     for (span, least, most_open) in [(10.0, 25, 0), (1.0, 25, 1), (0.3, 25, 9), (0.1, 18, 19)] {
         let mut chance = SeededChance::new(40);
         let (mut checked, mut open) = (0, 0);
@@ -76,7 +76,7 @@ fn poses_that_nearly_repeat_have_their_planted_dyads() {
 /// Trammels anywhere, with five poses all around or close together, have infinitely many dyads. The
 /// remnants of these after rounding are not reported as complete.
 #[test]
-fn no_family_is_told_to_be_a_few() {
+fn family_of_dyads_is_never_reported_complete() {
     let mut chance = SeededChance::new(50);
     for span in [360.0, 40.0, 10.0, 1.0, 0.1] {
         for n in 0..12 {

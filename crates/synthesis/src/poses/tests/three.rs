@@ -8,7 +8,7 @@ use kinematics::Vec2;
 use kinematics::numeric::SeededChance;
 
 #[test]
-fn given_pivots_or_pins_are_the_planted_linkage() {
+fn given_pivots_or_pins_give_planted_linkage() {
     let mut chance = SeededChance::new(21);
     for n in 0..200 {
         let planted = Planted::four_bar(&mut chance, 3, 15.0);
@@ -34,7 +34,7 @@ fn given_pivots_or_pins_are_the_planted_linkage() {
 
 /// A given pin with collinear positions is on a slide; a neighbouring pin is on a long link.
 #[test]
-fn a_pin_on_a_line_slides() {
+fn pin_with_collinear_places_is_on_slide() {
     let mut chance = SeededChance::new(22);
     for n in 0..200 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
@@ -60,7 +60,7 @@ fn a_pin_on_a_line_slides() {
 
 /// Pins on slides are on a circle.
 #[test]
-fn pins_that_slide_are_on_a_circle() {
+fn sliding_pins_are_on_circle() {
     let mut chance = SeededChance::new(23);
     for n in 0..50 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
@@ -89,7 +89,7 @@ fn pins_that_slide_are_on_a_circle() {
 }
 
 #[test]
-fn free_linkages_are_many_different_and_right() {
+fn free_linkages_are_many_and_exact() {
     let mut chance = SeededChance::new(24);
     let mut slider_cranks = 0;
     for n in 0..30 {
@@ -122,7 +122,7 @@ fn free_linkages_are_many_different_and_right() {
 
 /// For translations alone, crank and rocker are equally long and turn together.
 #[test]
-fn three_shifts_have_parallelograms() {
+fn three_translations_have_parallelograms() {
     let pose = |x: f64, y: f64| Pose {
         at: Vec2::new(x, y),
         angle: 33.0,
@@ -141,7 +141,7 @@ fn three_shifts_have_parallelograms() {
 }
 
 #[test]
-fn three_shifts_along_a_line_have_no_linkage() {
+fn three_collinear_translations_have_no_linkage() {
     let pose = |x: f64| Pose {
         at: Vec2::new(x, 0.5 * x),
         angle: 33.0,
@@ -160,7 +160,7 @@ fn three_shifts_along_a_line_have_no_linkage() {
 
 /// Repeated runs of a task give equal proposals.
 #[test]
-fn proposals_are_the_same_again() {
+fn proposals_are_reproducible() {
     let planted = Planted::four_bar(&mut SeededChance::new(25), 3, 20.0);
     let run = || propose(&planted.task, true, true, None, PoseReach::Usual);
     assert_eq!(run(), run());
