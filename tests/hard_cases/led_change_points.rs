@@ -1,4 +1,4 @@
-//! Change points of parallelograms that are not driven by their own crank.
+//! Change points of parallelograms driven by elements other than their own crank.
 
 use crate::rig::point;
 use krank::Vec2;

@@ -963,8 +963,8 @@ fn strut_inside_link_of_coupled_group_is_redundant() {
 
 #[test]
 fn coupled_group_needs_no_ground_point() {
-    // A triangle on a bar from a driven slider and on two ground slots: no joint is on the ground,
-    // and the guides used to lack a reference point.
+    // A triangle on a bar from a driven slider and on two ground slots, without a ground joint:
+    // the guides used to lack a reference point.
     let mut b = Builder::default();
     let [p, q, r, s] = [(); 4].map(|()| b.moving_point());
     let body = b.free_link();

@@ -241,7 +241,7 @@ impl TaskDrive<'_> {
     /// Measures the misses at all points by the solver's values alone, and writes them to
     /// `figures`.
     ///
-    /// Returns the point of a path with the largest weighted miss if that miss exceeds [`FAR`]
+    /// Returns the point of a path with the largest weighted miss if that miss exceeds `FAR`
     /// times the path's size.
     ///
     /// # Errors

@@ -99,7 +99,7 @@ impl Proposal {
     }
 }
 
-/// Returns the pivot G, which is on neither the crank nor the rocker.
+/// Returns the pivot G, which belongs to neither the original crank nor the original rocker.
 fn third(a: Vec2, d: Vec2, ratio: Vec2) -> Vec2 {
     a + (d - a).turned(ratio)
 }

@@ -101,7 +101,7 @@ impl Synthesis {
         }
     }
 
-    /// Evaluates all proposals.
+    /// Evaluates all proposals and sorts the distinct candidates, best first.
     #[must_use]
     pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {
         let judged = judged(task, &proposals.found, threads);

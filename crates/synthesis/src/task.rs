@@ -130,7 +130,7 @@ pub struct PathTask {
     pub turns: Option<Vec<f64>>,
     /// Given ground pivots, at most two.
     pub pivots: Vec<Vec2>,
-    /// The weight of each point's miss; missing weights are 1.
+    /// The weights of the points' misses, one per point; missing weights are 1.
     pub weights: Vec<f64>,
 }
 

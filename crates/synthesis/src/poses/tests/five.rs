@@ -185,7 +185,7 @@ fn special_poses_have_all_dyads_found_by_newton() {
         .map(|task| met_by_newton(task, &mut chance, 400))
         .collect();
     assert!(met.iter().sum::<usize>() >= 8, "{met:?}");
-    // No coordinate is a rounding error of zero.
+    // Coordinates of zero are exact, without rounding errors.
     let mirrored = dyads(&tasks[0]).unwrap();
     assert!(mirrored.iter().all(|held| held.pin.x == 0.0));
     // The origin itself is on the circle.
