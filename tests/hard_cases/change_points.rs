@@ -1,5 +1,5 @@
-//! Motions that pass through exact change points, where the two assemblies of a group meet, and
-//! close by.
+//! Motions through exact change points, where the two assemblies of a group meet, and close to
+//! them.
 
 use crate::rig::note;
 use krank::solver::{Condition, Order, Range, Solver, State};
@@ -12,7 +12,8 @@ struct FourBar {
     follower: LinkId,
 }
 
-/// A = (0, 0), D = (d, 0), driven at 1 rad/s; the follower runs from D to C.
+/// Opens a four-bar with A = (0, 0) and D = (d, 0), driven at 1 rad/s; the follower runs from D to
+/// C.
 fn four_bar([a, b, c, d]: [f64; 4], start: f64, near: Vec2) -> FourBar {
     let mut m = Builder::default();
     let (pivot, far) = (m.ground_point(0.0, 0.0), m.ground_point(d, 0.0));
@@ -59,7 +60,7 @@ fn close(seen: f64, expected: f64, tolerance: f64, what: &str) {
 }
 
 #[test]
-fn h01_a_parallelogram_stays_one_through_0_and_180_degrees() {
+fn h01_parallelogram_keeps_shape_through_change_points() {
     let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));
     assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
     assert_eq!(bar.solver.motion().change_points, [0.0, 180.0]);
@@ -67,10 +68,10 @@ fn h01_a_parallelogram_stays_one_through_0_and_180_degrees() {
         let angle = 0.5 * f64::from(k);
         let state = bar.at(angle);
         let b = krank::angle::unit(angle);
-        // What rounding must cost close to a change point, where the transmission angle's sine is that
-        // of the crank's: h = sqrt(sine^2 + u), hence u / sine in places, u / sine^2 in velocities and
-        // u / sine^3 in accelerations; the factors 3.6, 7 and 40 are those known of dyads, 3 is the
-        // ratio of the lengths.
+        // The unavoidable rounding errors close to a change point, where the sine of the
+        // transmission angle is that of the crank's angle: h = sqrt(sine^2 + u), hence u / sine in
+        // positions, u / sine^2 in velocities and u / sine^3 in accelerations. The factors 3.6, 7
+        // and 40 are those known for dyads; 3 is the ratio of the lengths.
         let u = 0.5 * f64::EPSILON;
         let sine = b.y.abs().max(0.008);
         let slack = 3.6 * 3.0 * u / sine + 2.0 * f64::EPSILON;
@@ -87,7 +88,7 @@ fn h01_a_parallelogram_stays_one_through_0_and_180_degrees() {
 }
 
 #[test]
-fn h01_at_the_change_points_themselves_values_are_limits() {
+fn h01_values_at_change_points_are_limits() {
     let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));
     for (angle, x) in [(0.0, 4.0), (180.0, 2.0), (360.0, 4.0), (-180.0, 2.0)] {
         let state = bar.at(angle);
@@ -100,11 +101,11 @@ fn h01_at_the_change_points_themselves_values_are_limits() {
     }
 }
 
-/// A dyad beside its change point loses digits as the inverse of the distance in places, its square in
-/// velocities, its cube in accelerations: 1e-4 deg away nothing was left of an acceleration. The series
-/// that stands in for it knows no such distance.
+/// Close to its change point, a dyad loses digits with the inverse of the distance in positions,
+/// its square in velocities and its cube in accelerations: at 1e-4 deg, accelerations used to have
+/// no correct digit. The series used there does not depend on the distance.
 #[test]
-fn h01_close_to_its_change_points_a_parallelogram_loses_no_digits() {
+fn h01_parallelogram_keeps_digits_near_change_points() {
     let bar = four_bar([1.0, 3.0, 1.0, 3.0], 60.0, Vec2::new(3.5, 0.87));
     for decade in -15..1_i32 {
         let mut worst = [0.0_f64; 3];
@@ -132,8 +133,8 @@ fn h01_close_to_its_change_points_a_parallelogram_loses_no_digits() {
             }
         }
         note(&format!("H01: 1e{decade} deg away, off by {worst:?}"));
-        // Beyond 1 degree, the last decade, the dyad itself: 3.6, 7 and 40 roundings of lengths 3 over
-        // the powers of a sine of 0.017.
+        // Beyond 1 degree, in the last decade, the dyad itself applies: 3.6, 7 and 40 rounding
+        // errors of lengths 3, divided by the powers of a sine of 0.017.
         let allowed = if decade < 0 {
             [4e-15, 1e-15, 1e-15]
         } else {
@@ -149,7 +150,7 @@ fn h01_close_to_its_change_points_a_parallelogram_loses_no_digits() {
 }
 
 #[test]
-fn h02_an_antiparallelogram_stays_crossed() {
+fn h02_antiparallelogram_stays_crossed() {
     let bar = four_bar([1.0, 3.0, 1.0, 3.0], 90.0, Vec2::new(2.4, -0.8));
     assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
     let state = bar.at(90.0);
@@ -160,7 +161,7 @@ fn h02_an_antiparallelogram_stays_crossed() {
         assert_eq!(state.condition(), Condition::ChangePoint);
         close(state.omega(bar.follower).unwrap(), omega, 1e-15, "omega4");
     }
-    // theta4 = 2 atan(-2 tan(theta2 / 2)), all the way round.
+    // theta4 = 2 atan(-2 tan(theta2 / 2)) over the whole turn.
     for k in 1..720 {
         let angle = 0.5 * f64::from(k);
         let half = (-2.0 * (angle.to_radians() / 2.0).tan()).atan();
@@ -173,10 +174,10 @@ fn h02_an_antiparallelogram_stays_crossed() {
     }
 }
 
-/// Its follower turns hundreds of times as fast as its crank where both lie along the frame: used to end
-/// there.
+/// The follower turns hundreds of times as fast as the crank where both lie along the frame; the
+/// motion used to end there.
 #[test]
-fn an_antiparallelogram_that_is_almost_a_square_turns_fully() {
+fn nearly_square_antiparallelogram_turns_fully() {
     for frame in [1.9, 1.99, 1.995, 2.01, 2.1] {
         let angle = 60.0_f64.to_radians();
         // The mirror image of the parallelogram's corner in the line through B and D.
@@ -205,7 +206,7 @@ fn an_antiparallelogram_that_is_almost_a_square_turns_fully() {
 }
 
 #[test]
-fn h03_a_kite_gallops_through_two_turns() {
+fn h03_kite_repeats_after_two_turns() {
     let root = 7.0_f64.sqrt();
     let far = Vec2::new((1.0 + root) / 2.0, (1.0 + root) / 2.0);
     let bar = four_bar([1.0, 2.0, 2.0, 1.0], 90.0, far);
@@ -246,7 +247,7 @@ fn h03_a_kite_gallops_through_two_turns() {
 }
 
 #[test]
-fn h13_a_rod_as_long_as_its_crank_passes_the_crank() {
+fn h13_equal_rod_and_crank_pass_change_points() {
     let mut m = Builder::default();
     let (pivot, pin, slider) = (m.ground_point(0.0, 0.0), m.moving_point(), m.moving_point());
     let crank = m.link(pivot, pin, 1.0);
@@ -283,11 +284,11 @@ fn h13_a_rod_as_long_as_its_crank_passes_the_crank() {
 }
 
 #[test]
-fn h21_a_near_miss_keeps_its_sign() {
+fn h21_near_miss_keeps_assembly_sign() {
     let bar = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, Vec2::new(3.5, 0.87));
     assert_eq!(bar.solver.motion().range, Range::Full { period: 360.0 });
     assert!(bar.solver.motion().change_points.is_empty());
-    // Beyond 0 deg the true motion is the crossed shape.
+    // Beyond 0 deg the exact motion continues in the crossed shape.
     let c = bar.place(-10.0);
     close(c.x, 3.940_584_982_472_821, 1e-12, "C.x");
     close(c.y, 0.339_558_378_996_311_1, 1e-12, "C.y");
@@ -313,14 +314,15 @@ fn h21_a_near_miss_keeps_its_sign() {
     }
 }
 
-/// Without this a reader would take the crossed shape beyond 0 degrees for a fault.
+/// Without the near miss, a reader would consider the crossed shape beyond 0 degrees an error.
 #[test]
-fn h21_a_near_miss_is_told_of() {
+fn h21_near_miss_is_reported() {
     let bar = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, Vec2::new(3.5, 0.87));
     let [first, second] = bar.solver.motion().near_misses[..] else {
         panic!("{:?}", bar.solver.motion().near_misses);
     };
-    // d(sin)/sin is that of the gap of 1e-9, which has the rounding of c: 1e-16 of it.
+    // The relative error of the sine equals that of the gap of 1e-9, which comes from the rounding
+    // of c: 1e-16 relative to c.
     assert_eq!((first.group.index(), first.at), (1, 0.0));
     close(first.sine, 0.000_036_514_838_648_729_05, 1e-11, "|sin mu|");
     assert_eq!((second.group.index(), second.at), (1, 180.0));
@@ -328,16 +330,16 @@ fn h21_a_near_miss_is_told_of() {
         panic!()
     };
     assert_eq!(mu.smallest.at, 0.0);
-    // The state itself is found in twice the digits.
+    // The state itself is computed in double-double.
     let sine = mu.smallest.angle.to_radians().sin();
     close(sine, 0.000_036_514_838_648_729_05, 1e-18, "mu");
-    // The lecture's four-bar misses nothing: its smallest angle is 65 degrees.
+    // The lecture's four-bar has no near miss: its smallest angle is 65 degrees.
     let bar = four_bar([100.0, 300.0, 250.0, 400.0], 60.0, Vec2::new(310.0, 230.0));
     assert!(bar.solver.motion().near_misses.is_empty());
 }
 
 #[test]
-fn a_turned_parallelogram_far_away_is_one_still() {
+fn rotated_distant_parallelogram_is_recognised() {
     let turn = krank::angle::unit(23.456);
     let mut m = Builder::default();
     let (a, d) = (Vec2::new(12.3, -7.1), Vec2::new(12.3, -7.1) + turn * 3.7);
@@ -366,7 +368,7 @@ fn a_turned_parallelogram_far_away_is_one_still() {
 }
 
 #[test]
-fn a_second_loop_hangs_on_a_parallelogram_and_follows_it_through() {
+fn second_loop_is_smooth_through_change_points() {
     let mut m = Builder::default();
     let (a, d, g) = (
         m.ground_point(0.0, 0.0),
@@ -394,7 +396,7 @@ fn a_second_loop_hangs_on_a_parallelogram_and_follows_it_through() {
         let _ = solver.solve(angle, Order::Acceleration, &mut state);
         (state.omega(last).unwrap(), state.alpha(last).unwrap())
     };
-    // Smooth across the change points: what lies between is the mean of what lies beside.
+    // Smooth across the change points: the value there is the mean of its neighbours.
     for at in [0.0, 180.0] {
         let [(w0, a0), (w, a), (w1, a1)] = [at - 0.01, at, at + 0.01].map(&mut omega);
         close(w, 0.5 * (w0 + w1), 1e-6, "omega");
@@ -402,10 +404,10 @@ fn a_second_loop_hangs_on_a_parallelogram_and_follows_it_through() {
     }
 }
 
-/// The series at a change point is read off the motion around; a limit close by used to cost the
-/// passage its record, and the states beyond it their side.
+/// The series at a change point is fitted to the motion around it. A limit close by used to
+/// suppress the change point, and states beyond it were on the opposite side.
 #[test]
-fn a_change_point_beside_a_limit_is_passed_to_the_right_side() {
+fn change_point_near_limit_keeps_assembly() {
     let mut m = Builder::default();
     let (a, d) = (m.ground_point(0.0, 0.0), m.ground_point(3.0, 0.0));
     let g = m.ground_point(4.0, 10.0);
@@ -413,7 +415,7 @@ fn a_change_point_beside_a_limit_is_passed_to_the_right_side() {
     let crank = m.link(a, b, 1.0);
     m.link(b, c, 3.0);
     let follower = m.link(d, c, 1.0);
-    // Stretched where C has come 5 degrees beyond the line of the pivots.
+    // Stretched where C is 5 degrees beyond the line of the pivots.
     m.link(c, e, 5.0);
     m.link(g, e, 5.0872);
     m.driver(Driver {
@@ -442,10 +444,10 @@ fn a_change_point_beside_a_limit_is_passed_to_the_right_side() {
     }
 }
 
-/// Two parallelograms in a row whose change points lie 8 degrees apart: each must be read off the
-/// motion on its own side of the other.
+/// Two parallelograms in a row whose change points are 8 degrees apart. Each series must be fitted
+/// to the motion on its own side of the other change point.
 #[test]
-fn change_points_beside_each_other_are_told_apart() {
+fn neighbouring_change_points_are_distinguished() {
     let (turn, offset) = (krank::angle::unit(8.0), Vec2::new(3.0, 0.0));
     let mut m = Builder::default();
     let (a, d) = (m.ground_point(0.0, 0.0), m.ground_point(3.0, 0.0));
@@ -482,10 +484,10 @@ fn change_points_beside_each_other_are_told_apart() {
     }
 }
 
-/// Peaucellier's cell with OQ = QB = 5, arms 10 and a rhombus of 4. Its rhombus collapses where
-/// OB = sqrt(84): there D may stay on B. A continuation of 60 digits went that way.
+/// Peaucellier's cell with OQ = QB = 5, arms 10 and a rhombus of 4. Its rhombus collapses at OB =
+/// sqrt(84), where D may stay on B. A continuation of 60 digits took that branch.
 #[test]
-fn h20_a_peaucellier_cell_crosses_its_inversion_circle() {
+fn h20_peaucellier_cell_crosses_inversion_circle() {
     let mut m = Builder::default();
     let (o, q) = (m.ground_point(0.0, 0.0), m.ground_point(5.0, 0.0));
     let [b, e, f, d] = [(); 4].map(|()| m.moving_point());
@@ -506,7 +508,7 @@ fn h20_a_peaucellier_cell_crosses_its_inversion_circle() {
         speed: 1.0,
         acceleration: 0.0,
     });
-    // At 60 degrees B is 8.66 from O on the line at 30 degrees, D 9.70.
+    // At 60 degrees B is 8.66 from O on the line at 30 degrees, and D is 9.70 from O.
     let (along, across) = (krank::angle::unit(30.0), krank::angle::unit(30.0).perp());
     m.start(e, along * 9.18 + across * 3.96);
     m.start(f, along * 9.18 - across * 3.96);
@@ -519,7 +521,7 @@ fn h20_a_peaucellier_cell_crosses_its_inversion_circle() {
     };
     close(below, -phi0, 1e-14, "phi0");
     close(above, phi0, 1e-14, "phi0");
-    // The rhombus folds where OB = 10 - 4.
+    // The rhombus folds at OB = 10 - 4.
     let Range::Limited { low, high } = motion.range else {
         panic!("{:?}", motion.range)
     };
@@ -551,9 +553,9 @@ fn h20_a_peaucellier_cell_crosses_its_inversion_circle() {
     close(state.acceleration(d).unwrap().y, rate * tan, 1e-13, "D.y''");
 }
 
-/// A coupled group with a parallelogram in it: the driver hangs on the platform of the parallelogram
-/// ABCD, whose point E goes round a circle of the cranks' radius. G, F, E and that circle's centre are a
-/// drag link.
+/// A coupled group that contains a parallelogram: the driver moves the platform of the
+/// parallelogram ABCD, whose point E follows a circle of the cranks' radius. G, F, E and that
+/// circle's centre form a drag link.
 struct Inside {
     solver: Solver,
     platform: LinkId,
@@ -565,7 +567,7 @@ struct Inside {
 /// Lengths of the drag link: driver, rod, frame; the parallelogram's cranks have length 1.
 const DRAG: [f64; 3] = [1.2, 1.1, 0.5];
 
-/// One of the cranks is longer by so much.
+/// Opens the group with one of the cranks longer by `longer`.
 fn inside(turn: f64, shift: Vec2, start: f64, longer: f64) -> Inside {
     let mut m = Builder::default();
     let put = |x: f64, y: f64| Vec2::new(x, y).turned(krank::angle::unit(turn)) + shift;
@@ -599,7 +601,7 @@ fn inside(turn: f64, shift: Vec2, start: f64, longer: f64) -> Inside {
     }
 }
 
-/// The drag link on a frame along x: the direction of the follower, with its rate.
+/// Computes the drag link on a frame along x: the direction of the follower, with its rate.
 fn drag(angle: f64) -> (Vec2, f64) {
     let [driver, rod, frame] = DRAG;
     let unit = krank::angle::unit(angle);
@@ -613,10 +615,11 @@ fn drag(angle: f64) -> (Vec2, f64) {
     (to, f.dot(unit.perp() * driver) / f.dot(to.perp()))
 }
 
-/// Equal is what is equal as given: where a crank is longer by less than what doubles can tell, the solutions of the
-/// group miss each other all the same, and nothing is passed smoothly.
+/// Lengths count as equal only if they are equal as given. If a crank is longer by less than
+/// doubles can resolve, the solutions of the group still miss each other, and no change point is
+/// passed.
 #[test]
-fn a_coupled_group_that_misses_its_crossing_by_little_does_not_cross() {
+fn nearly_equal_cranks_in_coupled_group_have_no_change_point() {
     for longer in [5e-14, 3e-14] {
         let of = inside(0.0, Vec2::ZERO, 60.0, longer);
         let motion = of.solver.motion();
@@ -625,7 +628,7 @@ fn a_coupled_group_that_misses_its_crossing_by_little_does_not_cross() {
 }
 
 #[test]
-fn a_parallelogram_inside_a_coupled_group_stays_one() {
+fn parallelogram_in_coupled_group_keeps_shape() {
     for (turn, shift, start) in [
         (0.0, Vec2::ZERO, 60.0),
         (23.456, Vec2::new(12.3, -7.1), 100.0),

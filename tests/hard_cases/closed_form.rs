@@ -1,5 +1,5 @@
-//! A four-bar by the cosine theorem in double-double arithmetic: what any f64 solver should agree
-//! with within its own rounding, whatever the lengths.
+//! Solves a four-bar by the law of cosines in double-double arithmetic: any f64 solver should agree
+//! with it within its own rounding, for any lengths.
 
 use crate::exact::{DoubleDouble, PI};
 use crate::rig::FourBar;
@@ -7,12 +7,12 @@ use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
 type Pair = [DoubleDouble; 2];
 
-/// What is compared.
+/// The compared values.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Exact {
-    /// C, seen from A.
+    /// The position of C relative to A.
     pub(crate) joint: Pair,
-    /// omega3 and omega4 for one radian a second.
+    /// omega3 and omega4 at one radian per second.
     pub(crate) omega: Pair,
     pub(crate) sin_mu: f64,
 }
@@ -37,13 +37,13 @@ fn perp(a: Pair) -> Pair {
     [-a[1], a[0]]
 }
 
-/// One step of Newton from the root of the leading double.
+/// Computes a square root by one Newton step from the root of the leading double.
 fn sqrt(v: DoubleDouble) -> DoubleDouble {
     let root = dd(v.hi.sqrt());
     root + (v - root * root) / (root * dd(2.0))
 }
 
-/// (cos, sin) of degrees, by Taylor's series within a quarter of a right angle.
+/// Returns (cos, sin) of an angle in degrees, by Taylor's series within a quarter of a right angle.
 fn unit(degrees: f64) -> Pair {
     let eighths = (degrees / 45.0).round();
     let x = dd(degrees - 45.0 * eighths) * PI / dd(180.0);
@@ -65,7 +65,7 @@ fn unit(degrees: f64) -> Pair {
     })
 }
 
-/// `None` where the four-bar does not close.
+/// Solves the four-bar at a crank angle in degrees; `None` if it does not close.
 pub(crate) fn solve(of: &FourBar, degrees: f64) -> Option<Exact> {
     let [cos, sin] = unit(degrees);
     let (a, b, c) = (dd(of.crank), dd(of.coupler), dd(of.rocker));
@@ -93,7 +93,7 @@ pub(crate) fn solve(of: &FourBar, degrees: f64) -> Option<Exact> {
 }
 
 #[test]
-fn it_agrees_with_the_exact_values_of_the_lecture_s_four_bar() {
+fn closed_form_matches_exact_values_of_lecture_four_bar() {
     use crate::rig::{LECTURE, exact};
     let found = solve(&LECTURE, 60.0).expect("it closes");
     let values = [

@@ -1,4 +1,4 @@
-//! The driver's angle and rates: many turns on, at right angles, standing still, in any order.
+//! The driver's angle and rates: after many turns, at right angles, from rest, and in any order.
 
 use crate::bits::bits;
 use crate::rig::{FourBar, LECTURE, U, assert_near, exact, solved};
@@ -28,7 +28,7 @@ fn h11_a_billion_turns_on_the_bits_are_the_same() {
 }
 
 #[test]
-fn h15_a_slider_crank_at_a_right_angle_has_exact_zeros() {
+fn h15_slider_crank_at_right_angle_has_exact_zeros() {
     let mut builder = Mechanism::builder();
     let (a, b, c) = (
         builder.ground_point(0.0, 0.0),
@@ -87,7 +87,7 @@ const DRAG: FourBar = FourBar {
 };
 
 #[test]
-fn h27_a_follower_that_turns_fully_is_read_from_0_to_360() {
+fn h27_fully_turning_follower_has_angle_from_0_to_360() {
     let opened = DRAG.open();
     assert_eq!(opened.solver.motion().range, Range::Full { period: 360.0 });
     for (at, decimal) in [
@@ -113,7 +113,7 @@ fn h27_a_follower_that_turns_fully_is_read_from_0_to_360() {
 }
 
 #[test]
-fn h27_the_turning_of_a_follower_knows_no_wrap() {
+fn h27_follower_rates_are_continuous_across_wrap() {
     let opened = DRAG.open();
     let (mut wraps, mut turned) = (0, 0.0);
     let mut last = opened.at(0.0);
@@ -123,7 +123,7 @@ fn h27_the_turning_of_a_follower_knows_no_wrap() {
         assert!((0.0..360.0).contains(&angle), "{angle}");
         wraps += i32::from(angle < last.angle(opened.rocker).unwrap());
         assert!(state.omega(opened.rocker).unwrap() > 0.0, "at {degrees}");
-        // From one degree to the next alpha explains the change of omega: also at the wrap.
+        // From one degree to the next, alpha explains the change of omega, also at the wrap.
         let mean = 0.5 * (state.alpha(opened.rocker).unwrap() + last.alpha(opened.rocker).unwrap());
         let change = state.omega(opened.rocker).unwrap() - last.omega(opened.rocker).unwrap();
         assert!((change - mean.to_radians()).abs() < 1e-4, "at {degrees}");
@@ -135,7 +135,7 @@ fn h27_the_turning_of_a_follower_knows_no_wrap() {
 }
 
 #[test]
-fn h28_a_driver_that_gathers_speed_from_a_standstill() {
+fn h28_accelerated_driver_from_rest_has_exact_accelerations() {
     let rows = [
         (15.0, "16.15760013278989017911", "116.1107631879278492783"),
         (0.0, "-26.10941820109625687257", "20.60715479680644348711"),
@@ -159,7 +159,7 @@ fn h28_a_driver_that_gathers_speed_from_a_standstill() {
 }
 
 #[test]
-fn h29_a_state_has_no_history() {
+fn h29_state_does_not_depend_on_history() {
     let opened = LECTURE.open();
     let fresh = |at: f64| bits(&opened.mechanism, &opened.at(at), 1.0);
     let up = (0..=359).map(f64::from);
@@ -179,7 +179,7 @@ fn h29_a_state_has_no_history() {
 }
 
 #[test]
-fn h29_one_step_of_half_a_turn_keeps_the_branch() {
+fn h29_step_of_half_turn_keeps_branch() {
     for (side, x, y) in [
         (1.0, "175.8975078189799874691", "110.8064664099341458066"),
         (-1.0, "233.0310636095914411023", "-186.0681979292960758229"),

@@ -1,9 +1,10 @@
-//! Rates next to the ends of the motion, where they grow without limit: what is shown is held by its bound;
-//! and a lever next to its end stands on the side on which it was drawn.
+//! Rates next to the ends of the motion, where they grow without limit: every value is within its
+//! bound. Also, a lever next to its end is in the assembly in which it was drawn.
 //!
-//! `edge_rates.txt` was found with 90 digits (mpmath): four-bars `crank coupler rocker ground start Cx Cy`, and at
-//! one coordinate after the other, doubles inside an end of their motion and places before it, the place, velocity
-//! and acceleration of the joint C at 2 rad/s.
+//! `edge_rates.txt` was computed with 90 digits (mpmath). It has four-bars `crank coupler rocker
+//! ground start Cx Cy`. For each of them it has coordinates, from the last doubles before an end of
+//! the motion to points further inside, with the position, velocity and acceleration of the joint C
+//! at 2 rad/s.
 
 use crate::rig::{U, exact, note, point};
 use krank::quantity::{self, Aspect, Subject};
@@ -20,9 +21,10 @@ const ASPECTS: [Aspect; 6] = [
     Aspect::Ax,
     Aspect::Ay,
 ];
-/// So near to an end, in roundings of the angle, a place is one of the last doubles.
+/// Distance to an end, in rounding errors of the angle, below which a coordinate is one of the last
+/// doubles.
 const NEXT: f64 = 16.0;
-/// There, figures are right to this part of the longer of their two components.
+/// Maximum relative error of values there, relative to the larger of the two components.
 const RIGHT: f64 = 16.0 * U;
 
 struct Opened {
@@ -55,7 +57,7 @@ fn open(words: &[&str]) -> Opened {
 }
 
 #[test]
-fn rates_next_to_an_end_are_held_by_their_bounds() {
+fn rates_next_to_end_are_within_their_bounds() {
     let mut opened = None;
     let (mut figures, mut worst) = (0, [0.0_f64; 3]);
     for line in CASES.lines() {
@@ -111,16 +113,17 @@ fn rates_next_to_an_end_are_held_by_their_bounds() {
     assert!(worst.iter().all(|worst| *worst <= RIGHT), "{worst:?}");
 }
 
-/// A lever whose reach is 4e-8 of its scale at the start: rounding its numbers leaves 3.687e-8 (40 digits). Its two
-/// assemblies stand 1.2e-7 rad apart, and the rough place of a point that is not the dyad's own joint tells
-/// them: this one opened on the other side.
+/// A lever whose reach is 4e-8 of its scale at the start; rounding its numbers changes this to
+/// 3.687e-8 (40 digits). Its two assemblies are 1.2e-7 rad apart, and only the approximate position
+/// of a point other than the dyad's own joint distinguishes them. The lever used to open in the
+/// other assembly.
 #[test]
-fn a_lever_next_to_its_end_stands_as_it_was_drawn() {
+fn lever_next_to_its_end_opens_in_drawn_assembly() {
     let (pivot, tip) = (
         Vec2::new(1.478_119_643_997_737_3, -0.055_180_402_097_909_975),
         Vec2::new(0.548_068_179_792_910_3, 0.312_248_875_356_211_15),
     );
-    // From one assembly to the other the lever turns by twice the reach over the offset.
+    // Between the assemblies the lever turns by twice the reach divided by the offset.
     for (turned, reach) in [(0.0, -3.687e-8), (1.302e-7, 3.687e-8)] {
         let tip = tip + (tip - pivot).perp() * turned;
         let text = format!(

@@ -1,9 +1,10 @@
-//! Ends of the motion to the last digit: which doubles are inside, and how the mechanism stands there.
+//! Ends of the motion to the last digit: which doubles are inside, and the mechanism's state there.
 //!
-//! The values in `edges.txt` were found with 90 digits (mpmath): of each chain of dyads and of each toggle its
-//! ends, and its joints at the eight doubles before the one that is nearest to an end. A chain is
-//! turned about (0, 0) from `start`; a dyad is `rrr X Y b c`, from the last joint by b and from a pivot by c, or
-//! `rrp o b`, by b onto the line y = o, and about where its joint is at the start.
+//! The values in `edges.txt` were computed with 90 digits (mpmath). For each chain of dyads and
+//! each toggle, the file has its ends, and its joints at the eight doubles before the one nearest
+//! to an end. A chain is turned about (0, 0) from `start`. A dyad is `rrr X Y b c`, with b from the
+//! last joint and c from a pivot, or `rrp o b`, with b onto the line y = o. Its approximate joint
+//! at the start follows.
 
 use crate::exact::DoubleDouble;
 use crate::rig::{U, exact, note, point};
@@ -14,12 +15,12 @@ use krank::solver::{Condition, Order, Range, Solver};
 use std::fmt::Write as _;
 
 const CASES: &str = include_str!("edges.txt");
-/// So many doubles beyond an end are tried.
+/// Number of doubles tested beyond an end.
 const BEYOND: usize = 8;
-/// Right to 16 u of itself.
+/// Maximum relative error, 16 u.
 const RIGHT: f64 = 16.0 * U;
 
-/// One mechanism of the file, and what is known of it.
+/// One mechanism of the file with its reference values.
 struct Case {
     name: &'static str,
     scene: String,
@@ -28,11 +29,11 @@ struct Case {
 
 struct End {
     limit: DoubleDouble,
-    /// By the driver's coordinate.
+    /// The joints by the driver's coordinate.
     states: Vec<(f64, Vec<Joint>)>,
 }
 
-/// A joint and where it is.
+/// A joint and its position.
 type Joint = (String, [DoubleDouble; 2]);
 
 fn cases() -> Vec<Case> {
@@ -120,7 +121,7 @@ fn cases() -> Vec<Case> {
 }
 
 #[test]
-fn every_double_beside_an_end_is_decided_and_right() {
+fn every_double_next_to_end_has_correct_state() {
     let (mut sides, mut figures, mut right, mut unproved, mut widest) = (0, 0, 0, 0, 0.0_f64);
     for case in cases() {
         let name = case.name;
@@ -180,7 +181,8 @@ fn every_double_beside_an_end_is_decided_and_right() {
                             off <= bound,
                             "{name} {joint} at {at}: {value} is off by {off:e}, bound {bound:e}"
                         );
-                        // One of up to 15 digits is meant as the decimal, which may be elsewhere.
+                        // A coordinate of up to 15 digits is meant as the decimal, which may differ
+                        // from the double.
                         if at.to_string().len() > 17 {
                             widest = widest.max(bound / (U * value.abs()));
                         }

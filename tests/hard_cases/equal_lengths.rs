@@ -1,10 +1,11 @@
-//! Whether lengths are equal decides between a change point, a near miss and a dead point: it is told from
-//! the decimals that were typed, wherever the linkage lies in the plan and however it is turned.
+//! Equality of lengths decides between a change point, a near miss and a dead point. It is
+//! determined from the typed decimals, for any position and orientation of the linkage.
 
 use krank::solver::{Range, Solver};
 use krank::{Builder, Double, Driver, Input, Vec2};
 
-/// A four-bar with its frame of length `d` at `place`, turned; decimals of 15 digits at the most.
+/// Opens a four-bar with its frame of length `d` at `place`, rotated, with decimals of at most 15
+/// digits.
 fn four_bar(lengths: [&str; 4], place: Vec2, turn: f64, start: f64) -> Solver {
     let [a, b, c, d] = lengths.map(|length| length.parse().unwrap());
     let far = place.exactly() + Double::unit(turn) * Double::exactly(d);
@@ -22,18 +23,18 @@ fn four_bar(lengths: [&str; 4], place: Vec2, turn: f64, start: f64) -> Solver {
         speed: 1.0,
         acceleration: 0.0,
     });
-    // That of a parallelogram, or near it.
+    // The corner of a parallelogram, or close to it.
     m.start(joint, far.nearest() + krank::angle::unit(start + turn) * a);
     Solver::new(&m.build().unwrap()).unwrap()
 }
 
-/// With 15 digits, as one reads it off a drawing.
+/// Rounds to 15 digits, as read off a drawing.
 fn typed(value: f64) -> f64 {
     format!("{value:.14e}").parse().unwrap()
 }
 
 #[test]
-fn a_parallelogram_that_is_turned_and_typed_is_recognised_at_both_places() {
+fn rotated_parallelogram_of_typed_decimals_is_recognised() {
     for sizes in [
         ["1", "3"],
         ["30", "40"],
@@ -59,7 +60,7 @@ fn a_parallelogram_that_is_turned_and_typed_is_recognised_at_both_places() {
 }
 
 #[test]
-fn a_length_that_differs_in_any_digit_is_another_wherever_the_ground_is() {
+fn length_that_differs_in_last_digit_is_not_equal() {
     for place in [Vec2::ZERO, Vec2::new(1e6, 0.0), Vec2::new(-3.0, 1e6)] {
         for turn in [0.0, 90.0, 180.0] {
             for longer in ["1.000000001", "1.000000000001", "1.00000000000001"] {
@@ -78,7 +79,8 @@ fn a_length_that_differs_in_any_digit_is_another_wherever_the_ground_is() {
                 let solver = four_bar(["1", "3", shorter, "3"], place, turn, 60.0);
                 let motion = solver.motion();
                 assert_eq!(motion.dead_points.len(), 2, "{shorter} {place:?} {turn}");
-                // It ends where the pivots are 2 + e apart: 10 - 6 cos = (2 + e)^2; and 4 - e.
+                // The motion ends where the pivots are 2 + e apart, 10 - 6 cos = (2 + e)^2, and
+                // where they are 4 - e apart.
                 let e = 1.0 - shorter.parse::<f64>().unwrap();
                 let from = |share: f64| 2.0 * share.sqrt().asin().to_degrees();
                 let [near, far] = [4.0 * e + e * e, 8.0 * e - e * e].map(|v| from(v / 12.0));
@@ -103,12 +105,12 @@ fn a_length_that_differs_in_any_digit_is_another_wherever_the_ground_is() {
     }
 }
 
-/// 0.1 + 0.4 = 0.2 + 0.3, but not for the doubles next to them.
+/// 0.1 + 0.4 = 0.2 + 0.3 holds for the decimals, but not for their nearest doubles.
 #[test]
-fn decimals_are_added_as_they_were_typed() {
+fn equal_sums_of_typed_decimals_give_change_points() {
     let solver = four_bar(["0.1", "0.2", "0.3", "0.4"], Vec2::ZERO, 0.0, 60.0);
     let motion = solver.motion();
-    // The assemblies change over where all links are in line, once a turn.
+    // The assemblies change where all links are collinear, once per turn.
     assert_eq!(motion.range, Range::Full { period: 720.0 });
     assert_eq!(motion.change_points, [180.0, 540.0]);
     assert!(motion.near_misses.is_empty());

@@ -1,5 +1,5 @@
-//! Ends of the range behind coupled groups, wherever the scene lies: held against values of 50 digits, and against
-//! the bound that each end has of itself.
+//! Ends of the range behind coupled groups, for any position of the scene: compared with values of
+//! 50 digits, and with the bound of each end.
 
 use crate::exact::DoubleDouble;
 use crate::rig::exact;
@@ -27,7 +27,7 @@ P = [{1.691769}, {1 -0.503868}]
 Q = [{3.101657}, {1 0.008632}]
 "#;
 
-/// A triad, and a slider behind it that comes to the end of its reach on both ways.
+/// A triad followed by a slider that reaches the end of its motion in both directions.
 const SLIDER: &str = r#"
 [ground]
 A = [{0}, {1}]
@@ -60,7 +60,7 @@ const OFFSETS: [[i64; 2]; 4] = [
     [-7_000_000, 1_000_000_000_000],
 ];
 
-/// A number of a place with an offset, as a decimal.
+/// Returns a coordinate plus an offset, as a decimal.
 fn shifted(number: &str, offset: i64) -> String {
     let (sign, digits) = match number.strip_prefix('-') {
         Some(digits) => (-1, digits),
@@ -73,7 +73,8 @@ fn shifted(number: &str, offset: i64) -> String {
     format!("{sign}{}.{:06}", size / 1_000_000, size % 1_000_000)
 }
 
-/// A scene with an offset: `{x}` stands for x along the first axis, `{1 y}` and `{1}` along the second.
+/// Returns a scene with an offset: `{x}` marks x along the first axis, `{1 y}` and `{1}` along the
+/// second.
 fn moved(text: &str, [along, across]: [i64; 2], unit: &str) -> String {
     let mut moved = format!("unit = \"{unit}\"\n");
     for (k, part) in text.split('{').enumerate() {
@@ -103,7 +104,7 @@ fn motion(text: &str) -> Motion {
     Solver::new(&scene.mechanism).unwrap().motion().clone()
 }
 
-/// Holds both ends against what is right, in decimals, and their bounds against that and half an ulp.
+/// Checks both ends against exact decimals, and their bounds against the errors and half an ulp.
 fn hold(motion: &Motion, right: [&str; 2], what: &str) {
     let Range::Limited { low, high } = motion.range else {
         panic!("{what}: {:?}", motion.range);
@@ -115,14 +116,14 @@ fn hold(motion: &Motion, right: [&str; 2], what: &str) {
             off <= bound,
             "{what}: {found} is off by {off:e}, bound {bound:e}"
         );
-        // Nearest but for what the last bits decide.
+        // The nearest double, unless the last bits are too close to decide.
         let half_ulp = 0.5 * (found.abs().next_up() - found.abs());
         assert!(bound <= 1.01 * half_ulp, "{what}: {found}, bound {bound:e}");
     }
 }
 
 #[test]
-fn the_fold_of_a_coupled_group_is_the_nearest_double_wherever_the_scene_lies() {
+fn fold_of_coupled_group_is_nearest_double_at_any_offset() {
     let right = [
         "13.600672774729307573725929974511",
         "37.447752320573482039090238620131",
@@ -136,7 +137,7 @@ fn the_fold_of_a_coupled_group_is_the_nearest_double_wherever_the_scene_lies() {
 }
 
 #[test]
-fn the_reach_of_a_dyad_behind_a_coupled_group_is_the_nearest_double_wherever_the_scene_lies() {
+fn reach_of_dyad_behind_coupled_group_is_nearest_double() {
     let right = [
         "58.353538733759879431657070435757",
         "321.2833611142204967253147659619",
@@ -147,7 +148,8 @@ fn the_reach_of_a_dyad_behind_a_coupled_group_is_the_nearest_double_wherever_the
     }
 }
 
-/// Stops of a slide and of a link behind the coupled group end the motion at the same places.
+/// Stops of a slide and of a link behind the coupled group end the motion at equal coordinates for
+/// all offsets.
 #[test]
 fn stops_behind_a_coupled_group_are_met_at_the_same_double_wherever_the_scene_lies() {
     for limits in ["s = [-1, 0.15]", "r7 = [104, 109]", "r5 = [281, 283]"] {
@@ -177,10 +179,10 @@ fn stops_behind_a_coupled_group_are_met_at_the_same_double_wherever_the_scene_li
     }
 }
 
-/// 2,000 m away, with a table, coupled and dyads behind: the doubles next to the typed decimals fold at
-/// 5.195487469137.
+/// 2,000 m away, with a table, coupled groups and dyads behind it: the doubles next to the typed
+/// decimals fold at 5.195487469137.
 #[test]
-fn a_fold_is_that_of_the_typed_decimals() {
+fn fold_is_computed_from_typed_decimals() {
     let motion = motion(include_str!("far_end.toml"));
     let Range::Limited { low, .. } = motion.range else {
         panic!("{:?}", motion.range);
@@ -193,9 +195,9 @@ fn a_fold_is_that_of_the_typed_decimals() {
     assert!(motion.range_bounds[0].unwrap() < 4.5e-16);
 }
 
-/// A dyad that ends the motion before any coupled group, and a motion that nothing ends.
+/// A dyad that ends the motion before any coupled group, and a motion without an end.
 #[test]
-fn ends_of_dyads_have_bounds_and_full_turns_have_none_to_give() {
+fn ends_of_dyads_have_bounds_and_full_turns_have_zero() {
     let four_bar = |crank: &str| {
         motion(&format!(
             "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 0\n[links]\nr2 = {{ from = \
@@ -203,7 +205,8 @@ fn ends_of_dyads_have_bounds_and_full_turns_have_none_to_give() {
              \"C\", to = \"D\", length = 250 }}\n[start]\nC = [310, 230]\n"
         ))
     };
-    // B is as far from D as both links are long: cos = (400^2 + 200^2 - 550^2) / (2 400 200).
+    // The distance from B to D equals the sum of both links: cos = (400^2 + 200^2 - 550^2) / (2 400
+    // 200).
     let limit = "129.83843997699908701088806727019";
     hold(&four_bar("200"), [&format!("-{limit}"), limit], "four-bar");
     assert_eq!(four_bar("100").range_bounds, [Some(0.0), Some(0.0)]);

@@ -1,4 +1,4 @@
-//! Change points of parallelograms that are driven by something other than their own crank.
+//! Change points of parallelograms driven by elements other than their own crank.
 
 use crate::rig::point;
 use krank::Vec2;
@@ -10,7 +10,7 @@ const PUSHED_CRANK: &str = include_str!("scenes/pushed_crank.toml");
 const FOURBAR_CUT: &str = include_str!("scenes/fourbar_cut.toml");
 const FOURBAR_TURNED: &str = include_str!("scenes/fourbar_turned.toml");
 
-/// Steps over the range, or the period.
+/// Number of steps over the range, or the period.
 const STEPS: u32 = 2000;
 
 fn open(text: &str) -> (Scene, Solver) {
@@ -19,7 +19,7 @@ fn open(text: &str) -> (Scene, Solver) {
     (scene, solver)
 }
 
-/// Asserts that C stays at the same place beside B over the whole motion.
+/// Asserts that C keeps a constant offset from B over the whole motion.
 fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
     let [b, c] = ["B", "C"].map(|name| point(scene, name));
     let (low, high) = solver.motion().range.ends();
@@ -37,7 +37,8 @@ fn assert_translates(scene: &Scene, solver: &Solver, shift: Vec2) {
     }
 }
 
-/// Asserts the ends of the range and the change points, each within 1e-9 of a degree or of a length.
+/// Asserts the ends of the range and the change points, each within 1e-9 of a degree or of a
+/// length.
 fn assert_places(solver: &Solver, ends: Option<[f64; 2]>, changes: &[f64]) {
     let motion = solver.motion();
     let near = |found: f64, expected: f64| {
@@ -58,9 +59,10 @@ fn assert_places(solver: &Solver, ends: Option<[f64; 2]>, changes: &[f64]) {
     assert!(motion.lined_up.is_empty());
 }
 
-/// It changed its assembly 0.33 mm before the end of the cylinder, unseen.
+/// The parallelogram used to change its assembly 0.33 mm before the end of the cylinder, without
+/// notice.
 #[test]
-fn a_cylinder_pushes_a_parallelogram_through_its_change_point_close_to_its_own_end() {
+fn cylinder_pushes_parallelogram_through_change_point_near_end() {
     let (scene, solver) = open(PUSHED_PIN);
     let reach = 200.0_f64.hypot(20.0);
     let change = 300.0_f64.hypot(20.0);
@@ -69,16 +71,17 @@ fn a_cylinder_pushes_a_parallelogram_through_its_change_point_close_to_its_own_e
 }
 
 #[test]
-fn a_ground_cylinder_pushes_a_parallelogram_through_its_change_point() {
+fn ground_cylinder_pushes_parallelogram_through_change_point() {
     let (scene, solver) = open(PUSHED_CRANK);
     let arm = 60.0_f64.hypot(10.0);
     assert_places(&solver, Some([100.0 - arm, 100.0 + arm]), &[90.0]);
     assert_translates(&scene, &solver, Vec2::new(300.0, 0.0));
 }
 
-/// The axes of the frame decided whether the motion passed: along them it ended.
+/// The orientation of the frame used to decide whether the motion passed: with the frame along an
+/// axis it ended.
 #[test]
-fn a_four_bar_turns_a_parallelogram_through_its_change_points_in_any_direction() {
+fn four_bar_turns_parallelogram_through_change_points() {
     let turn = 0.8_f64.atan2(0.6).to_degrees();
     let changes = [9.594_068_226_860_5, 170.405_931_773_139_5];
     let (scene, solver) = open(FOURBAR_CUT);
@@ -91,10 +94,10 @@ fn a_four_bar_turns_a_parallelogram_through_its_change_points_in_any_direction()
 
 const SHORT_RANGE: &str = include_str!("scenes/short_range.toml");
 
-/// A coupled group of a motion of 2e-6 cm had lost the states from which it is solved: the opening had no
-/// assembly, unless an end of the range was solved before it.
+/// A coupled group with a range of 2e-6 cm used to lose the states from which it is solved: opening
+/// failed with no assembly, unless an end of the range was solved before.
 #[test]
-fn a_coupled_group_with_a_very_short_range_is_solved_without_a_history() {
+fn coupled_group_with_tiny_range_is_solved_without_history() {
     let (scene, solver) = open(SHORT_RANGE);
     let (low, high) = solver.motion().range.ends();
     let start = scene.mechanism.driver().start;

@@ -1,5 +1,5 @@
-//! Linkages whose repeated constraint leads them through what would be a change point without it: there
-//! is nothing to choose, and nothing is called singular.
+//! Linkages with a redundant constraint that leads them through a point which would be a change
+//! point without it: the continuation is unique, and the linkage is not singular.
 
 use krank::solver::{Condition, Order, Range, Solver, State};
 use krank::{Body, Builder, Driver, Input, LinkId, Vec2};
@@ -13,7 +13,8 @@ fn turning(link: LinkId) -> Driver {
     }
 }
 
-/// Opens it, and sees that it turns without a change point; the states at places that would be one.
+/// Opens a mechanism, checks that it turns fully without a change point, and returns the states at
+/// and near the given coordinates.
 fn led(m: Builder, places: [f64; 2]) -> Vec<State> {
     let solver = Solver::new(&m.build().unwrap()).unwrap();
     let motion = solver.motion();
@@ -36,9 +37,10 @@ fn led(m: Builder, places: [f64; 2]) -> Vec<State> {
     states.collect()
 }
 
-/// A coupler on three cranks whose pivots are not in one line: two of them alone could turn over.
+/// A coupler on three cranks whose pivots are not collinear: two of the cranks alone could fold
+/// over.
 #[test]
-fn a_third_crank_off_the_line_leads_a_parallelogram() {
+fn third_crank_off_line_removes_change_points() {
     let mut m = Builder::default();
     let places = [Vec2::ZERO, Vec2::new(3.0, 0.0), Vec2::new(1.0, 1.0)];
     let [a, d, e] = places.map(|p| m.ground_point(p.x, p.y));
@@ -59,9 +61,9 @@ fn a_third_crank_off_the_line_leads_a_parallelogram() {
     }
 }
 
-/// Two wheels of a locomotive, coupled on both sides, the cranks at right angles.
+/// Two wheels of a locomotive, coupled on both sides, with the cranks at right angles.
 #[test]
-fn quartered_cranks_lead_each_other() {
+fn quartered_cranks_have_no_change_points() {
     let mut m = Builder::default();
     let (a, d) = (m.ground_point(0.0, 0.0), m.ground_point(5.0, 0.0));
     let [b, b2, c, c2] = [(); 4].map(|()| m.moving_point());
@@ -82,9 +84,9 @@ fn quartered_cranks_lead_each_other() {
     }
 }
 
-/// A bar whose ends slide on two lines at right angles, turned by a crank at its middle.
+/// A bar whose ends slide on two perpendicular lines, turned by a crank at its middle.
 #[test]
-fn a_trammel_with_both_slides_is_led() {
+fn trammel_with_both_slides_has_no_change_points() {
     let mut m = Builder::default();
     let o = m.ground_point(0.0, 0.0);
     let [p, q, middle] = [(); 3].map(|()| m.moving_point());

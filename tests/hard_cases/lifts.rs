@@ -1,5 +1,6 @@
-//! Scissor lifts with more guides than they need, driven at the floor and by cylinders: too many constraints
-//! are not too few. A lift with a cylinder and a guided platform used to be refused for leaving a motion free.
+//! Scissor lifts with redundant guides, driven at the floor and by cylinders. A lift with a
+//! cylinder and a guided platform used to be rejected with a free motion, although it has too many
+//! constraints, not too few.
 
 use krank::Vec2;
 use krank::scene::Scene;
@@ -8,26 +9,26 @@ use std::fmt::Write as _;
 
 /// The length of the bars.
 const BAR: f64 = 1000.0;
-/// Where the cylinder stands on the ground, and how far along the first bar it pushes.
+/// The cylinder's ground pivot, and the distance of its pin along the first bar.
 const FOOT: Vec2 = Vec2::new(150.0, 0.0);
 const PUSHED: f64 = 700.0;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Drive {
-    /// The right foot along the floor.
+    /// The right foot moves along the floor.
     Floor,
-    /// A cylinder from the ground to the first bar.
+    /// A cylinder acts from the ground on the first bar.
     Ground,
-    /// A cylinder from the second bar of the first stage to its first one.
+    /// A cylinder acts from the second bar of the first stage on its first bar.
     Arms,
 }
 
-/// Which guides the platform has besides the bars that carry it.
+/// The platform's guides in addition to its bars.
 #[derive(Clone, Copy, Debug)]
 struct Guides {
-    /// A block along a mast, locked: it repeats two constraints.
+    /// A block along a mast, locked in rotation: it repeats two constraints.
     mast: bool,
-    /// A pin of the platform's far end in a vertical slot: one more.
+    /// A pin at the platform's far end in a vertical slot: one more.
     slot: bool,
 }
 
@@ -41,7 +42,7 @@ fn bar(degrees: f64) -> Vec2 {
     krank::angle::unit(degrees) * BAR
 }
 
-/// The driver's coordinate where the bars stand at an angle.
+/// Returns the driver's coordinate at an angle of the bars, in degrees.
 fn coordinate(drive: Drive, degrees: f64) -> f64 {
     let along = bar(degrees);
     let pushed = along * (PUSHED / BAR);
@@ -111,7 +112,7 @@ fn lift(stages: usize, drive: Drive, guides: Guides, degrees: f64) -> String {
     )
 }
 
-/// What is wrong with one lift.
+/// Returns the error of one lift, if any.
 fn complaint(stages: usize, drive: Drive, guides: Guides) -> Option<String> {
     let scene = Scene::parse(&lift(stages, drive, guides, 40.0), "lift").expect("a scene");
     let solver = match Solver::new(&scene.mechanism) {
@@ -126,7 +127,7 @@ fn complaint(stages: usize, drive: Drive, guides: Guides) -> Option<String> {
     off(&scene, &solver, stages, drive)
 }
 
-/// Where the platform is not where it should be.
+/// Returns the error of the platform's position, if any.
 fn off(scene: &Scene, solver: &Solver, stages: usize, drive: Drive) -> Option<String> {
     let mut points = scene.mechanism.point_ids();
     let end = points
@@ -145,7 +146,7 @@ fn off(scene: &Scene, solver: &Solver, stages: usize, drive: Drive) -> Option<St
 }
 
 #[test]
-fn a_lift_with_guides_that_it_does_not_need_opens_and_moves() {
+fn lift_with_redundant_guides_opens_and_moves() {
     let all = [false, true].map(|mast| [false, true].map(|slot| Guides { mast, slot }));
     let mut wrong = Vec::new();
     for stages in [1, 2, 3] {
@@ -159,10 +160,10 @@ fn a_lift_with_guides_that_it_does_not_need_opens_and_moves() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Of a tall lift a bar of the last stage is what to set aside: anything else leaves a coupled group of up to
-/// 199 unknowns, and opening it took 20 s.
+/// In a tall lift, a bar of the last stage must be set aside. Any other choice leaves a coupled
+/// group of up to 199 unknowns, and opening used to take 20 s.
 #[test]
-fn a_tall_lift_with_guides_is_solved_dyad_by_dyad() {
+fn tall_lift_with_guides_is_solved_by_dyads() {
     let guides = Guides {
         mast: true,
         slot: true,

@@ -21,7 +21,7 @@ struct Backwards {
 }
 
 impl Backwards {
-    /// Opens at 120 degrees with B near the given place.
+    /// Opens at 120 degrees with B near the given position.
     fn open(near: Vec2) -> Backwards {
         let mut builder = Mechanism::builder();
         let (a, d) = (
@@ -51,7 +51,7 @@ impl Backwards {
     }
 }
 
-/// Angles of the rocker at which A, B and C are in line, in degrees.
+/// Rocker angles at which A, B and C are collinear, in degrees.
 const LIMITS: [&str; 2] = ["108.2099568642830112137", "155.853152003497613375"];
 
 /// The two assemblies: the crank is before or after its dead point.
@@ -59,7 +59,7 @@ const BEFORE: Vec2 = Vec2::new(100.0, -20.0);
 const AFTER: Vec2 = Vec2::new(-20.0, 90.0);
 
 #[test]
-fn h04_a_rocker_drives_from_dead_point_to_dead_point() {
+fn h04_driven_rocker_stops_at_exact_dead_points() {
     for near in [BEFORE, AFTER] {
         let solver = Backwards::open(near).solver;
         let (low, high) = limits(&solver);
@@ -90,7 +90,7 @@ fn h04_a_rocker_drives_from_dead_point_to_dead_point() {
 }
 
 #[test]
-fn h04_no_state_lies_on_the_mirrored_branch() {
+fn h04_all_states_keep_their_branch() {
     for near in [BEFORE, AFTER] {
         let backwards = Backwards::open(near);
         let (low, high) = limits(&backwards.solver);
@@ -105,15 +105,15 @@ fn h04_no_state_lies_on_the_mirrored_branch() {
     }
 }
 
-/// Near its dead point the crank moves with the square root of the rocker's way.
+/// Near its dead point, the crank moves with the square root of the rocker's displacement.
 #[test]
-fn h04_the_crank_leaves_its_dead_point_as_a_square_root() {
+fn h04_crank_leaves_dead_point_as_square_root() {
     let backwards = Backwards::open(BEFORE);
     let radian = PI / DoubleDouble::from(180.0);
     let limit = exact(LIMITS[0]) * radian;
     let dead = exact("36.41991372856602242746") * radian;
-    // K = (theta2 - theta2*) / sqrt(theta4 - limit) at a distance in rad; 1e-20 and 1e-28 of the case
-    // are finer than degrees.
+    // K = (theta2 - theta2*) / sqrt(theta4 - limit) at a distance in rad; the distances 1e-20 and
+    // 1e-28 of the case are finer than doubles of degrees.
     for (distance, k) in [
         (1e-2, "-1.873976249806765060702"),
         (1e-6, "-1.887182188972389759146"),
@@ -122,7 +122,7 @@ fn h04_the_crank_leaves_its_dead_point_as_a_square_root() {
         let at = ((limit + DoubleDouble::from(distance)) / radian).hi;
         let way = (DoubleDouble::from(at) * radian - limit).minus(0.0);
         let state = solved(&backwards.solver, at);
-        // The double nearest to the distance is another one: K changes by 0.2 sqrt(way).
+        // The double nearest to the distance differs from it: K changes by 0.2 sqrt(way).
         let nearby = 0.2 * (way.sqrt() - distance.sqrt()).abs();
         let theta2 = dead.minus(state.direction(backwards.crank).unwrap().angle());
         let slack = 3.6 * U * 4.0 / backwards.sin_mu(&state).abs() + 2.0 * U;
@@ -166,7 +166,7 @@ impl Toggle {
         Solver::new(&mechanism).expect("it closes")
     }
 
-    /// Driven at the ram, which starts at `y` with the knuckle on one side.
+    /// Opens a toggle driven at the ram, which starts at `y` with the knuckle on one side.
     fn pushed(y: f64, side: f64) -> (Solver, LinkId, PointId) {
         let mut toggle = Toggle::new();
         let (crank, knuckle) = (toggle.crank, toggle.knuckle);
@@ -177,9 +177,9 @@ impl Toggle {
 }
 
 #[test]
-fn h06_toggle_press_at_full_extension() {
+fn h06_toggle_press_at_full_extension_has_exact_rates() {
     let mut toggle = Toggle::new();
-    // The angle p of the case counts from y, clockwise.
+    // The angle p of the case counts clockwise from y.
     toggle.builder.driver(turn(toggle.crank, 100.0));
     toggle.builder.start(toggle.ram, Vec2::new(0.0, 2.0));
     let (knuckle, slide) = (toggle.knuckle, toggle.slide);
@@ -201,8 +201,8 @@ fn h06_toggle_press_at_full_extension() {
 }
 
 #[test]
-fn h06_toggle_press_driven_by_its_ram() {
-    // At 2 - 2^-51 doubles cannot tell it from the limit; twice the digits can.
+fn h06_toggle_press_driven_by_ram_is_accurate_near_limit() {
+    // At 2 - 2^-51, doubles cannot distinguish it from the limit; double-double numbers can.
     for (power, p) in [
         (-4, "0.2506556623361307937491"),
         (-20, "0.0009765625388051114389819"),
@@ -220,7 +220,7 @@ fn h06_toggle_press_driven_by_its_ram() {
 }
 
 #[test]
-fn h06_toggle_press_goes_no_further_than_straight() {
+fn h06_toggle_press_ends_where_links_are_straight() {
     for start in [1.5, 1.3, 0.7, 1.999] {
         let (solver, _, knuckle) = Toggle::pushed(start, 1.0);
         let high = limits(&solver).1;
@@ -248,13 +248,13 @@ fn h06_toggle_press_goes_no_further_than_straight() {
     }
 }
 
-/// What `check` prints means the limit that it was.
+/// The printed value of a limit in `check` means the limit itself.
 #[test]
-fn a_limit_that_is_typed_with_twelve_decimals_means_the_limit() {
+fn limit_typed_with_twelve_decimals_means_limit() {
     let typed = |limit: f64| -> [f64; 2] {
         let read = |text: String| text.parse::<f64>().expect("a number");
         let printed = read(format!("{limit:.12}"));
-        // A person may cut off what does not fit.
+        // A user may also truncate the value.
         let outwards = if printed < limit { -5e-13 } else { 5e-13 };
         [printed, limit + outwards]
     };
@@ -277,7 +277,7 @@ fn a_limit_that_is_typed_with_twelve_decimals_means_the_limit() {
 }
 
 #[test]
-fn a_place_outside_the_range_is_meant_whole_turns_away() {
+fn coordinate_outside_range_is_shifted_by_whole_turns() {
     let range = Range::Limited {
         low: 414.8,
         high: 642.8,
@@ -294,7 +294,7 @@ fn a_place_outside_the_range_is_meant_whole_turns_away() {
         assert_eq!(range.meant(at, true), meant, "{at}");
         assert_eq!(range.meant(at, false), None, "{at}");
     }
-    // Two such places leave it open.
+    // Two such coordinates are ambiguous.
     let (low, high) = (0.0, 500.0);
     let longer = Range::Limited { low, high };
     assert_eq!(longer.meant(-300.0, true), None);
@@ -302,7 +302,7 @@ fn a_place_outside_the_range_is_meant_whole_turns_away() {
     assert_eq!(Range::Full { period: 720.0 }.meant(1000.0, true), None);
 }
 
-/// Stephenson III driven where its loops couple, with a crank that does not turn fully.
+/// Stephenson III driven where its loops are coupled, with a crank that does not turn fully.
 const STEPHENSON: &str = r#"
 unit = "mm"
 
@@ -330,7 +330,7 @@ E = [120, 260]
 "#;
 
 #[test]
-fn h18_a_coupled_triad_stops_at_its_dead_points() {
+fn h18_coupled_triad_stops_at_dead_points() {
     let scene = Scene::parse(STEPHENSON, "stephenson").expect("a sound scene");
     let solver = Solver::new(&scene.mechanism).expect("it closes");
     let mut points = scene.mechanism.point_ids();
@@ -352,7 +352,8 @@ fn h18_a_coupled_triad_stops_at_its_dead_points() {
         ),
     ] {
         let state = solved(&solver, at);
-        // As measured for the triad of the references: 4.1 u of the longest link at a condition of 23.5.
+        // As measured for the triad of the references: 4.1 u of the longest link at a condition
+        // number of 23.5.
         let slack = 4.1 * cond / 23.5 * U * 300.0;
         assert_near("E.x", state.position(e).unwrap().x, x, slack);
         assert_near("E.y", state.position(e).unwrap().y, y, slack);
@@ -364,7 +365,7 @@ fn h18_a_coupled_triad_stops_at_its_dead_points() {
     ] {
         let off = -exact(decimal).minus(found);
         note(&format!("H18: {name} limit {found} off by {off:e} deg"));
-        // The double nearest to it, or the next.
+        // The nearest double, or its neighbour.
         assert!(
             off.abs() <= found.next_up() - found,
             "{name} limit {found}: {off:e}"
@@ -372,7 +373,8 @@ fn h18_a_coupled_triad_stops_at_its_dead_points() {
         let mut state = solver.state();
         let condition = solver.solve(found, Order::Acceleration, &mut state);
         assert_eq!(condition, Condition::DeadPoint);
-        // Positions there have all their digits, though a correction near a fold has half of them.
+        // Positions there have all their digits, although a Newton correction near a fold has only
+        // half of them.
         for link in scene.mechanism.link_ids() {
             let members = &scene.mechanism.link(link).members;
             let [p, q] =
@@ -390,9 +392,10 @@ fn h18_a_coupled_triad_stops_at_its_dead_points() {
     }
 }
 
-/// Of a file the decimals count: 0.1 + 0.4 is 0.2 + 0.3, which it is not for the doubles next to them.
+/// In a file, the decimals count: 0.1 + 0.4 equals 0.2 + 0.3, which fails for their nearest
+/// doubles.
 #[test]
-fn lengths_of_a_file_are_equal_as_they_were_typed() {
+fn lengths_in_file_are_compared_as_typed() {
     let text = "unit = \"m\"\n[ground]\nA = [1000000, 0]\nD = [1000000.4, 0]\n\
         [driver]\nlink = \"r2\"\nangle = 60\nspeed = \"1 rad/s\"\n[links]\n\
         r2 = { from = \"A\", to = \"B\", length = 0.1 }\n\
@@ -405,7 +408,7 @@ fn lengths_of_a_file_are_equal_as_they_were_typed() {
     assert_eq!(solver.motion().tolerance, 0.0);
 }
 
-/// A crank of 1 whose pin turns a slotted lever, pivoted below at a distance that is typed.
+/// Opens a crank of 1 whose pin turns a slotted lever, pivoted below at a typed distance.
 fn slotted_lever(distance: &str) -> (Scene, Solver) {
     let text = format!(
         "[ground]\nA = [0, 0]\nO = [0, -{distance}]\n\
@@ -420,9 +423,10 @@ fn slotted_lever(distance: &str) -> (Scene, Solver) {
     (scene, solver)
 }
 
-/// The pin passes the pivot of the lever ever closer by: a gap of 1.6e-7 counted as a dead point.
+/// The pin passes the lever's pivot at decreasing distances: a gap of 1.6e-7 used to count as a
+/// dead point.
 #[test]
-fn a_pin_that_passes_a_pivot_closely_goes_on() {
+fn pin_passing_close_to_pivot_keeps_moving() {
     for k in 1..=12_u32 {
         let gap = 10.0_f64.powi(-(k as i32));
         let nines = "9".repeat(k as usize);
@@ -442,7 +446,8 @@ fn a_pin_that_passes_a_pivot_closely_goes_on() {
                 solver.solve(270.0, Order::Velocity, &mut work),
                 Condition::Ok
             );
-            // The distance is known to half an ulp, of which the gap is the smaller a part the smaller it is.
+            // The distance has an error of half an ulp, whose ratio to the gap grows as the gap
+            // shrinks.
             let omega = work.state().omega(lever).unwrap();
             let off = (omega * gap * sign - 1.0).abs();
             assert!(
@@ -454,7 +459,7 @@ fn a_pin_that_passes_a_pivot_closely_goes_on() {
 }
 
 #[test]
-fn a_lever_beside_its_crank_has_the_right_rates_behind_the_closest_place() {
+fn lever_has_exact_rates_beyond_closest_approach() {
     let (scene, solver) = slotted_lever("0.9999999");
     let lever = scene.mechanism.link_ids().nth(1).unwrap();
     let mut work = solver.state();

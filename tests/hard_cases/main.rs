@@ -1,8 +1,9 @@
-//! Hard cases: inputs that break the usual ways of computing a linkage, with exact values from
+//! Hard cases: inputs that break the usual methods of computing a linkage, with exact values from
 //! 60-digit arithmetic.
 //!
-//! A test bears the number of its case. The last module draws further cases of the same kinds.
-//! `cargo test --test hard_cases -- --nocapture` prints how near the limits come.
+//! The name of a test starts with the number of its case. The module `others` draws random cases of
+//! the same kinds. `cargo test --test hard_cases -- --nocapture` prints how close the errors are to
+//! their limits.
 
 #![allow(clippy::unwrap_used, reason = "a test may stop")]
 

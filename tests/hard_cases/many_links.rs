@@ -1,4 +1,4 @@
-//! Many links: more constraints than a motion needs, parallel slides, a long chain.
+//! Many links: redundant constraints, parallel slides, a long chain.
 
 use crate::exact::{DoubleDouble, PI};
 use crate::rig::{U, assert_near, exact, note, push, solved, turn};
@@ -13,7 +13,7 @@ struct ThreeCranks {
     end: PointId,
 }
 
-/// Cranks of length 1 at 0, 3 and 5, and a platform along all of them.
+/// Creates cranks of length 1 at 0, 3 and 5, and a platform along all of them.
 fn three_cranks(third: f64) -> ThreeCranks {
     let mut builder = Mechanism::builder();
     let [a, d, h] = [0.0, 3.0, 5.0].map(|x| builder.ground_point(x, 0.0));
@@ -40,12 +40,12 @@ fn three_cranks(third: f64) -> ThreeCranks {
 }
 
 #[test]
-fn h17_three_parallel_cranks_move() {
+fn h17_three_parallel_cranks_move_accurately() {
     const HALF_ROOT_3: &str = "0.8660254037844386467637231707529361835";
     let of = three_cranks(1.0);
     let solver = Solver::new(&of.mechanism).expect("the third crank agrees");
     assert_eq!(solver.plan().redundant.len(), 1);
-    // Change points at 0 and 180 degrees lie in between: the sine of the transmission angle is that
+    // Change points at 0 and 180 degrees are in between: the sine of the transmission angle is that
     // of the driver.
     for (at, x, y) in [
         (60.0, "5.5", HALF_ROOT_3),
@@ -68,7 +68,7 @@ fn h17_three_parallel_cranks_move() {
 }
 
 #[test]
-fn h17_a_third_crank_a_billionth_longer_is_refused() {
+fn h17_third_crank_a_billionth_longer_is_rejected() {
     let of = three_cranks(1.0 + 1e-9);
     match Solver::new(&of.mechanism) {
         Err(Fault::OverConstrained {
@@ -81,7 +81,8 @@ fn h17_a_third_crank_a_billionth_longer_is_refused() {
     }
 }
 
-/// A ram along y, and a pin in a slot of the ram and in a slot along x: where two lines meet.
+/// Opens a ram along y, and a pin in a slot of the ram and in a slot along x: the pin is where two
+/// lines meet.
 fn ram_and_slots(slope: f64) -> Result<(Solver, PointId), Fault> {
     let mut builder = Mechanism::builder();
     let (ram, pin) = (builder.free_link(), builder.moving_point());
@@ -93,7 +94,7 @@ fn ram_and_slots(slope: f64) -> Result<(Solver, PointId), Fault> {
     Solver::new(&mechanism).map(|solver| (solver, pin))
 }
 
-/// A yoke along x with a slot for the pin of a crank of length 1: RPP.
+/// Opens a yoke along x with a slot for the pin of a crank of length 1: RPP.
 fn crank_and_yoke(slope: f64) -> Result<(Solver, PointId), Fault> {
     let mut builder = Mechanism::builder();
     let (origin, pin) = (builder.ground_point(0.0, 0.0), builder.moving_point());
@@ -108,7 +109,7 @@ fn crank_and_yoke(slope: f64) -> Result<(Solver, PointId), Fault> {
 }
 
 #[test]
-fn h26_parallel_slides_are_refused() {
+fn h26_parallel_slides_are_rejected() {
     for slope in [0.0, 180.0, -180.0, 360.0] {
         for fault in [ram_and_slots(slope).err(), crank_and_yoke(slope).err()] {
             assert!(
@@ -120,8 +121,8 @@ fn h26_parallel_slides_are_refused() {
 }
 
 #[test]
-fn h26_slides_that_are_all_but_parallel_meet_far_away() {
-    // The direction (1, 2^-40): to 24 digits the angle is its own tangent.
+fn h26_nearly_parallel_slides_meet_far_away() {
+    // The direction (1, 2^-40): to 24 digits the angle equals its tangent.
     let radian = PI / DoubleDouble::from(180.0);
     let slope = (DoubleDouble::from(2.0_f64.powi(-40)) / radian).hi;
     let tangent = DoubleDouble::from(slope) * radian;
@@ -157,7 +158,7 @@ fn h26_slides_that_are_all_but_parallel_meet_far_away() {
 
 const STAGES: usize = 50;
 
-/// Crossed pairs of bars of length 2, one pair on the other; the joints on the left and right from
+/// Crossed pairs of bars of length 2, stacked on each other; the joints on the left and right from
 /// the ground up, and the middles.
 struct Scissor {
     solver: Solver,
@@ -200,7 +201,7 @@ fn scissor(stages: usize, start: f64) -> Scissor {
 }
 
 #[test]
-fn h30_a_scissor_of_fifty_stages() {
+fn h30_scissor_of_fifty_stages_is_accurate() {
     let of = scissor(STAGES, 40.0);
     for (at, cond) in [(40.0, 7.5e3), (10.0, 3.8e4), (70.0, 7.5e3)] {
         let state = solved(&of.solver, at);
@@ -232,7 +233,8 @@ fn h30_a_scissor_of_fifty_stages() {
     let at_40 = of.solver.solve(40.0, Order::Acceleration, &mut state);
     assert_eq!(at_40, Condition::Ok);
     let top = of.right[STAGES];
-    // A hundred dyads in series would leave no bound; at once they have one.
+    // A hundred dyads solved one after the other would have no bound; solved together they have
+    // one.
     let mut enclosure = of.solver.enclosure();
     let order = Order::Acceleration;
     of.solver.enclose(&mut state, order, &mut enclosure);
@@ -257,7 +259,7 @@ fn h30_a_scissor_of_fifty_stages() {
         "64.27876096865393263226",
         slack,
     );
-    // Accelerations lose the condition once more.
+    // Accelerations lose the condition number once more.
     let ay = state.acceleration(top).unwrap().y;
     let off = exact("-64.27876096865393263226").minus(ay).abs();
     note(&format!(
@@ -268,10 +270,10 @@ fn h30_a_scissor_of_fifty_stages() {
     assert!(off <= 7.5e3 * slack, "ay {ay}: {off:e}");
 }
 
-/// Each parallelogram in a row takes the last coefficient of a series from those behind it, unless its coupler is
-/// known to keep its direction.
+/// Each parallelogram in a row takes the last coefficient of its series from those behind it,
+/// unless its coupler is known to keep its direction.
 #[test]
-fn a_long_row_of_parallelograms_turns_fully() {
+fn long_row_of_parallelograms_turns_fully() {
     const ROW: usize = 120;
     let mut builder = Mechanism::builder();
     let mut ground = builder.ground_point(0.0, 0.0);

@@ -1,4 +1,4 @@
-//! Other cases of the same kinds as the numbered ones, drawn at random.
+//! Random cases of the same kinds as the numbered ones.
 
 use crate::bits::bits;
 use crate::closed_form::{self, Exact};
@@ -8,10 +8,11 @@ use krank::solver::{Condition, Order, Range, State};
 use krank::{Vec2, angle};
 use proptest::prelude::*;
 
-/// The sine of 3 degrees: nearer to a dead point poses are planted, not computed.
+/// The sine of 3 degrees: nearer to a dead point, other tests construct poses instead of computing
+/// them.
 const OPEN_ENOUGH: f64 = 0.05;
 
-/// Two decades around 1, evenly.
+/// Draws a length from two decades around 1, logarithmically uniform.
 fn length() -> impl Strategy<Value = f64> {
     (-1.0..1.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent))
 }
@@ -20,7 +21,7 @@ fn side() -> impl Strategy<Value = f64> {
     prop_oneof![Just(1.0), Just(-1.0)]
 }
 
-/// Degrees that are often round.
+/// Draws an angle in degrees, often a round one.
 fn degrees() -> impl Strategy<Value = f64> {
     prop_oneof![
         2 => 0.0..360.0_f64,
@@ -28,13 +29,13 @@ fn degrees() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Of a length: between all but folded and all but stretched.
+/// Draws a share of a length range, between nearly folded and nearly stretched.
 fn share() -> impl Strategy<Value = f64> {
     0.001..0.999_f64
 }
 
-/// A four-bar whose rocker is between the lengths at which the dyad would be folded and stretched at
-/// the start, and its exact values there.
+/// Chooses a rocker length between those at which the dyad would be folded and stretched at the
+/// start; returns the four-bar and its exact values there.
 fn closing(of: FourBar, share: f64) -> Option<(FourBar, Exact)> {
     let b = angle::unit(of.start) * of.crank;
     let base = (Vec2::new(of.ground, 0.0) - b).norm();
@@ -44,7 +45,7 @@ fn closing(of: FourBar, share: f64) -> Option<(FourBar, Exact)> {
     (exact.sin_mu >= OPEN_ENOUGH).then_some((of, exact))
 }
 
-/// A four-bar with this crank, a coupler and a ground over two decades.
+/// Draws a four-bar with this crank, and with a coupler and a ground from two decades.
 fn drawn(crank: impl Strategy<Value = f64>) -> impl Strategy<Value = (FourBar, Exact)> {
     (crank, [length(), length()], degrees(), side(), share()).prop_filter_map(
         "all but stretched",
@@ -67,12 +68,13 @@ fn ordinary() -> impl Strategy<Value = (FourBar, Exact)> {
     drawn(length())
 }
 
-/// A crank down to 1e-13 of the other lengths.
+/// Draws a four-bar with a crank down to 1e-13 of the other lengths.
 fn tiny_crank() -> impl Strategy<Value = (FourBar, Exact)> {
     drawn((-12.0..-1.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent)))
 }
 
-/// A crank and a ground up to 1e8 times as long as coupler and rocker, at a small angle.
+/// Draws a four-bar with a crank and a ground up to 1e8 times as long as coupler and rocker, at a
+/// small angle.
 fn huge_crank() -> impl Strategy<Value = (FourBar, Exact)> {
     let crank = (1.0..7.0_f64).prop_map(|exponent| 10.0_f64.powf(exponent));
     let apart = [-2.0..2.0_f64, -2.0..2.0_f64];
@@ -97,11 +99,11 @@ fn off(exact: DoubleDouble, by: f64, found: f64) -> f64 {
     (exact * DoubleDouble::from(by)).minus(found).abs()
 }
 
-/// Holds a state of the four-bar, scaled by `size`, against the exact values.
+/// Compares a state of the four-bar, scaled by `size`, with the exact values.
 ///
-/// C may be off by some u of the longest length L over sin(mu). With a coupler or rocker of length m
-/// that is u L/m of its direction, and of the rates over sin(mu) once more; these are of the size of
-/// the crank over m, or larger.
+/// The allowed error of C is some u of the longest length L, divided by sin(mu). With a coupler or
+/// rocker of length m, this is u L/m in its direction, and once more divided by sin(mu) in the
+/// rates. The rates are of the size of the crank divided by m, or larger.
 fn assert_agrees(opened: &Opened, state: &State, size: f64, exact: &Exact) {
     let of = opened.of;
     let (longest, shortest) = (of.longest(), of.coupler.min(of.rocker));
@@ -122,31 +124,31 @@ fn assert_agrees(opened: &Opened, state: &State, size: f64, exact: &Exact) {
 }
 
 proptest! {
-    /// As H08.
+    /// Like case H08.
     #[test]
     fn tiny_cranks_have_accurate_rates((of, exact) in tiny_crank()) {
         let opened = of.open();
         assert_agrees(&opened, &opened.at(of.start), 1.0, &exact);
     }
 
-    /// As H08.
+    /// Like case H08.
     #[test]
-    fn huge_cranks_keep_what_their_coordinates_leave((of, exact) in huge_crank()) {
+    fn huge_cranks_are_accurate_to_coordinate_rounding((of, exact) in huge_crank()) {
         let opened = of.open();
         assert_agrees(&opened, &opened.at(of.start), 1.0, &exact);
     }
 
-    /// As H09.
+    /// Like case H09.
     #[test]
-    fn a_power_of_ten_costs_the_rounding_of_the_lengths((of, exact) in ordinary(), power in -290..290_i32) {
+    fn scaling_by_power_of_ten_stays_accurate((of, exact) in ordinary(), power in -290..290_i32) {
         let size = 10.0_f64.powi(power);
         let opened = of.scaled(size).open();
         assert_agrees(&opened, &opened.at(of.start), size, &exact);
     }
 
-    /// As H09.
+    /// Like case H09.
     #[test]
-    fn a_power_of_two_costs_nothing((of, _) in ordinary(), power in -950..950_i32) {
+    fn scaling_by_power_of_two_is_exact((of, _) in ordinary(), power in -950..950_i32) {
         let size = 2.0_f64.powi(power);
         let (plain, scaled) = (of.open(), of.scaled(size).open());
         prop_assert_eq!(plain.solver.motion().range, scaled.solver.motion().range);
@@ -154,15 +156,15 @@ proptest! {
         prop_assert_eq!(one, bits(&scaled.mechanism, &scaled.at(of.start), size));
     }
 
-    /// As H10: the ground's own coordinates are rounded, the motion on it is not.
+    /// Like case H10: the ground's own coordinates are rounded, the motion relative to it is not.
     #[test]
-    fn a_far_ground_costs_what_it_is_rounded_by(
+    fn distant_ground_changes_only_its_own_rounding(
         (of, _) in ordinary(),
         place in (-1e12..1e12_f64, -1e12..1e12_f64),
         fine in 0..40_i32,
     ) {
         let origin = Vec2::new(place.0, place.1) / 2.0_f64.powi(fine);
-        // The distance that is left of the ground after rounding, on both.
+        // The ground's length after rounding, used for both.
         let ground = (origin.x + of.ground) - origin.x;
         let rounded = FourBar { ground, ..of };
         let Some(exact) = closed_form::solve(&rounded, of.start) else { return Ok(()) };
@@ -182,7 +184,7 @@ proptest! {
         }
     }
 
-    /// As H29.
+    /// Like case H29.
     #[test]
     fn jumps_and_reversed_sweeps_give_the_same_bits(
         (of, _) in ordinary(),
@@ -201,7 +203,7 @@ proptest! {
         let mut state = opened.solver.state();
         for &at in up.iter().chain(down).chain(&jumps) {
             let condition = opened.solver.solve(at, Order::Acceleration, &mut state);
-            // Where there are no values, none are compared.
+            // Values are compared only if there are any.
             if condition == Condition::Ok {
                 prop_assert_eq!(figures(&state), fresh(at), "at {}", at);
             } else {
@@ -210,11 +212,11 @@ proptest! {
         }
     }
 
-    /// As H27.
+    /// Like case H27.
     #[test]
     fn a_turn_later_the_bits_are_the_same((of, _) in ordinary(), turns in -1_000_000_000..1_000_000_000_i64) {
         let opened = of.open();
-        // A start of eighths of a degree and whole turns add up exactly.
+        // A start in eighths of a degree and whole turns add up exactly.
         let at = (of.start * 8.0).round() / 8.0;
         if let Range::Full { period } = opened.solver.motion().range {
             let later = opened.at(at + period * turns as f64);

@@ -1,4 +1,4 @@
-//! Extreme ratios of lengths: what a mechanism can move, and where it is singular, does not depend on them.
+//! Extreme ratios of lengths: mobility and singularities do not depend on them.
 
 use krank::scene::Scene;
 use krank::solver::{Fault, Solver};
@@ -10,9 +10,10 @@ fn opened(text: &str) -> Result<Solver, Fault> {
 
 const RATIOS: [f64; 7] = [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 4.4e-16, 1e-20];
 
-/// A kite whose crank lies along its frame: C may be anywhere around B and D, and nowhere else is a link free.
+/// A kite whose crank lies along its frame: C may be anywhere on the circle around B and D. At all
+/// other angles the mobility is 1.
 #[test]
-fn a_kite_that_opens_where_its_pivots_meet_is_singular_there_only() {
+fn kite_is_singular_only_where_its_pivots_meet() {
     for tiny in RATIOS {
         let kite = |angle: f64| {
             opened(&format!(
@@ -38,9 +39,9 @@ fn a_kite_that_opens_where_its_pivots_meet_is_singular_there_only() {
     }
 }
 
-/// A lever whose slot leads through its pivot, with the crank's pin there.
+/// A lever whose slot passes through its pivot, with the crank's pin there.
 #[test]
-fn a_lever_that_opens_with_the_pin_in_its_pivot_is_singular_there_only() {
+fn lever_is_singular_only_with_pin_in_its_pivot() {
     for tiny in RATIOS {
         let lever = |angle: f64| {
             opened(&format!(
@@ -64,9 +65,9 @@ fn a_lever_that_opens_with_the_pin_in_its_pivot_is_singular_there_only() {
     }
 }
 
-/// A triad on three legs, of which one thing is tiny: a leg, the link that they carry, or the crank.
+/// A triad on three legs with one tiny length: a leg, the link carried by the legs, or the crank.
 #[test]
-fn a_triad_with_a_tiny_link_moves() {
+fn triad_with_tiny_link_has_mobility_one() {
     let distance = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     for tiny in [1e-3, 1e-6, 1e-9, 1e-11] {
         for (crank, link, leg) in [(0.5, 1.0, tiny), (0.5, tiny, 1.0), (tiny, 1.0, 1.0)] {

@@ -1,4 +1,4 @@
-//! What must be refused, and by name: links of no length, figures that are no numbers.
+//! Inputs that must be rejected by name: links of zero length, and values that are not finite.
 
 use crate::rig::{FourBar, LECTURE};
 use krank::report::{DecimalError, Steps, StepsError, WrittenDecimal};
@@ -6,7 +6,7 @@ use krank::scene::Scene;
 use krank::solver::Fault;
 use krank::{Defect, Driver, ElementId, Input, Mechanism, Vec2};
 
-/// The lecture's four-bar with other figures, as a scene.
+/// Returns the lecture's four-bar with other values, as a scene.
 fn scene(lengths: [&str; 3], angle: &str, speed: &str) -> String {
     let [crank, coupler, rocker] = lengths;
     format!(
@@ -21,7 +21,7 @@ fn scene(lengths: [&str; 3], angle: &str, speed: &str) -> String {
     )
 }
 
-/// What is said about a scene that must be refused.
+/// Returns the error message for a scene that must be rejected.
 fn refusal(text: &str) -> String {
     match Scene::parse(text, "hard.toml") {
         Err(faults) => faults.render(true, false),
@@ -33,13 +33,13 @@ const SPEED: &str = "\"15 rad/s\"";
 const LENGTHS: [&str; 3] = ["100", "300", "250"];
 const NAMES: [&str; 3] = ["r2", "r3", "r4"];
 
-/// The lecture's lengths with one in the place of another.
+/// Returns the lengths with one of them replaced.
 fn with<T: Copy>(mut lengths: [T; 3], place: usize, length: T) -> [T; 3] {
     lengths[place] = length;
     lengths
 }
 
-/// The defects of the lecture's four-bar with these lengths, speed and start.
+/// Returns the defects of the lecture's four-bar with these lengths, speed and start.
 fn defects(lengths: [f64; 3], speed: f64, start: f64) -> Vec<Defect> {
     let mut builder = Mechanism::builder();
     let (a, d) = (
@@ -62,13 +62,13 @@ fn defects(lengths: [f64; 3], speed: f64, start: f64) -> Vec<Defect> {
 }
 
 #[test]
-fn the_four_bar_itself_is_accepted() {
+fn lecture_four_bar_is_accepted() {
     assert!(Scene::parse(&scene(LENGTHS, "60", SPEED), "hard.toml").is_ok());
     assert_eq!(defects([100.0, 300.0, 250.0], 15.0, 60.0), []);
 }
 
 #[test]
-fn h14_a_link_of_no_length_is_named_with_it() {
+fn h14_error_names_link_of_zero_length() {
     for (place, name) in NAMES.iter().enumerate() {
         let said = refusal(&scene(with(LENGTHS, place, "0"), "60", SPEED));
         let names = said.contains(&format!("`length` of link `{name}`"));
@@ -82,7 +82,7 @@ fn h14_a_link_of_no_length_is_named_with_it() {
 }
 
 #[test]
-fn h14_two_ground_points_at_one_place_are_legal() {
+fn h14_coincident_ground_points_are_legal() {
     // Crank and rocker turn together about one point.
     let triangle = FourBar {
         ground: 0.0,
@@ -93,7 +93,8 @@ fn h14_two_ground_points_at_one_place_are_legal() {
     let opened = triangle.open();
     let state = opened.at(75.0);
     assert!((state.omega(opened.rocker).unwrap() - 15.0).abs() <= 1e-14 * 15.0);
-    // B and C opposite: the coupler is stretched everywhere, no start tells its assemblies apart.
+    // B and C are opposite: the coupler is always stretched, and no start distinguishes its
+    // assemblies.
     let opposite = FourBar {
         ground: 0.0,
         coupler: 200.0,
@@ -111,7 +112,7 @@ fn h14_two_ground_points_at_one_place_are_legal() {
 }
 
 #[test]
-fn h19_a_length_that_is_no_positive_number_is_refused_in_a_file() {
+fn h19_file_with_non_positive_length_is_rejected() {
     for (place, name) in NAMES.iter().enumerate() {
         for length in [
             "nan", "inf", "-inf", "-1", "-0.0", "1e400", "5e-324", "\"-100\"",
@@ -126,7 +127,7 @@ fn h19_a_length_that_is_no_positive_number_is_refused_in_a_file() {
 }
 
 #[test]
-fn h19_a_length_that_is_no_positive_number_is_refused_in_code() {
+fn h19_builder_rejects_non_positive_length() {
     for place in 0..3 {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1.0, -0.0] {
             let found = defects(with([100.0, 300.0, 250.0], place, bad), 15.0, 60.0);
@@ -139,7 +140,7 @@ fn h19_a_length_that_is_no_positive_number_is_refused_in_code() {
 }
 
 #[test]
-fn h19_rates_and_angles_that_are_no_numbers_are_refused() {
+fn h19_non_finite_rates_and_angles_are_rejected() {
     for bad in ["nan", "inf", "-inf", "1e400"] {
         let said = refusal(&scene(LENGTHS, bad, SPEED));
         assert!(said.contains("`angle`"), "{said}");
@@ -162,7 +163,7 @@ fn h19_rates_and_angles_that_are_no_numbers_are_refused() {
 }
 
 #[test]
-fn h19_coordinates_that_are_no_numbers_have_no_state() {
+fn h19_non_finite_coordinates_have_no_assembly() {
     let opened = LECTURE.open();
     for at in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         let condition = crate::rig::condition(&opened.solver, at);
@@ -171,7 +172,7 @@ fn h19_coordinates_that_are_no_numbers_have_no_state() {
 }
 
 #[test]
-fn h19_a_sweep_has_a_step_and_an_end() {
+fn h19_sweep_rejects_zero_step_and_too_many_steps() {
     let decimal = |text: &str| text.parse::<WrittenDecimal>();
     for text in ["nan", "inf", "1e400"] {
         assert_eq!(decimal(text), Err(DecimalError::NotFinite), "{text}");

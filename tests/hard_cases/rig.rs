@@ -1,4 +1,4 @@
-//! The four-bar that most cases are about, and how a figure is held against its exact value.
+//! The four-bar of most cases, and the comparison of a value with its exact value.
 
 use crate::exact::DoubleDouble;
 use krank::scene::Scene;
@@ -8,12 +8,12 @@ use krank::{Body, Driver, Input, LinkId, Mechanism, PointId, SlideId, Vec2, angl
 /// Half an ulp of 1: the unit of rounding.
 pub(crate) const U: f64 = f64::EPSILON / 2.0;
 
-/// Reads an exact value.
+/// Parses an exact value.
 pub(crate) fn exact(decimal: &str) -> DoubleDouble {
     DoubleDouble::parse(decimal).expect("a decimal")
 }
 
-/// Holds a figure against a decimal of more digits than a double has.
+/// Asserts that a value agrees with a decimal of more digits than a double has.
 pub(crate) fn assert_near(what: &str, found: f64, decimal: &str, tolerance: f64) {
     let error = exact(decimal).minus(found).abs();
     assert!(
@@ -22,13 +22,13 @@ pub(crate) fn assert_near(what: &str, found: f64, decimal: &str, tolerance: f64)
     );
 }
 
-/// Shows a measured error, for those who run with `--nocapture`.
+/// Prints a measured error, visible with `--nocapture`.
 #[expect(clippy::print_stdout, reason = "the measured figures are to be read")]
 pub(crate) fn note(text: &str) {
     println!("{text}");
 }
 
-/// A point by its name in the scene.
+/// Returns a point by its name in the scene.
 pub(crate) fn point(scene: &Scene, name: &str) -> PointId {
     let mut points = scene.mechanism.point_ids();
     points.find(|&p| scene.point_name(p) == Some(name)).unwrap()
@@ -41,11 +41,11 @@ pub(crate) struct FourBar {
     pub(crate) coupler: f64,
     pub(crate) rocker: f64,
     pub(crate) ground: f64,
-    /// The place of A.
+    /// The position of A.
     pub(crate) origin: Vec2,
     /// +1 for C on the left of B -> D.
     pub(crate) side: f64,
-    /// In degrees.
+    /// The crank's start angle, in degrees.
     pub(crate) start: f64,
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
@@ -64,7 +64,7 @@ pub(crate) const LECTURE: FourBar = FourBar {
     acceleration: 0.0,
 };
 
-/// A four-bar made ready; the rocker is the link from D to C.
+/// A solver for a four-bar; the rocker is the link from D to C.
 pub(crate) struct Opened {
     pub(crate) of: FourBar,
     pub(crate) mechanism: Mechanism,
@@ -94,7 +94,7 @@ impl FourBar {
             .max(self.ground)
     }
 
-    /// A place on the side of B -> D where C is meant to be.
+    /// Returns an approximate position of C on its side of B -> D.
     fn near(self) -> Vec2 {
         let b = angle::unit(self.start) * self.crank;
         let line = Vec2::new(self.ground, 0.0) - b;
@@ -139,7 +139,7 @@ impl Opened {
         solved(&self.solver, degrees)
     }
 
-    /// The sine of the transmission angle.
+    /// Returns the sine of the transmission angle.
     pub(crate) fn sin_mu(&self, state: &State) -> f64 {
         let cross = state
             .direction(self.coupler)
@@ -148,32 +148,33 @@ impl Opened {
         cross.abs()
     }
 
-    /// What a position may be off by: the rounding of C over the sine of the transmission angle.
+    /// Returns the allowed error of a position: the rounding error of C divided by the sine of the
+    /// transmission angle.
     pub(crate) fn position_slack(&self, state: &State) -> f64 {
         3.6 * U * self.of.longest() / self.sin_mu(state)
     }
 
-    /// The same for an angular velocity.
+    /// Returns the allowed error of an angular velocity.
     pub(crate) fn omega_slack(&self, state: &State, omega: f64) -> f64 {
         let sin_mu = self.sin_mu(state);
         let size = omega.abs().max(self.of.speed.abs());
         7.0 * U * size * self.lever() / (sin_mu * sin_mu)
     }
 
-    /// The same for an angular acceleration.
+    /// Returns the allowed error of an angular acceleration.
     pub(crate) fn alpha_slack(&self, state: &State, alpha: f64) -> f64 {
         let sin_mu = self.sin_mu(state);
         let own = self.of.speed.powi(2).max(self.of.acceleration.abs());
         40.0 * U * alpha.abs().max(own) * self.lever().powi(2) / (sin_mu * sin_mu)
     }
 
-    /// How much longer the longest link is than the shorter one of the dyad.
+    /// Returns the ratio of the longest link to the shorter link of the dyad.
     fn lever(&self) -> f64 {
         self.of.longest() / self.of.coupler.min(self.of.rocker)
     }
 }
 
-/// The state at a coordinate, which must have positions and rates.
+/// Returns the state at a coordinate, which must have positions and rates.
 pub(crate) fn solved(solver: &Solver, at: f64) -> State {
     let mut state = solver.state();
     let condition = solver.solve(at, Order::Acceleration, &mut state);
@@ -181,19 +182,19 @@ pub(crate) fn solved(solver: &Solver, at: f64) -> State {
     state.into_state()
 }
 
-/// What the solver says of a coordinate.
+/// Returns the solver's condition at a coordinate.
 pub(crate) fn condition(solver: &Solver, at: f64) -> Condition {
     solver.solve(at, Order::Position, &mut solver.state())
 }
 
-/// Two links that meet at C; one end stands at the origin, the other is pushed along x.
+/// Two links that meet at C; one end is at the origin, the other is pushed along x.
 pub(crate) struct Triangle {
     pub(crate) solver: Solver,
     pub(crate) apex: PointId,
 }
 
 impl Triangle {
-    /// Opens with C at about `near`.
+    /// Opens with C approximately at `near`.
     pub(crate) fn open(base: f64, left: f64, right: f64, near: Vec2) -> Result<Triangle, Fault> {
         let mut builder = Mechanism::builder();
         let origin = builder.ground_point(0.0, 0.0);
@@ -209,7 +210,7 @@ impl Triangle {
     }
 }
 
-/// A slide pushed at one unit a second.
+/// Creates a driver that pushes a slide at one unit per second.
 pub(crate) fn push(slide: SlideId, start: f64) -> Driver {
     Driver {
         input: Input::Push(slide),
@@ -219,7 +220,7 @@ pub(crate) fn push(slide: SlideId, start: f64) -> Driver {
     }
 }
 
-/// A link turned at one radian a second.
+/// Creates a driver that turns a link at one radian per second.
 pub(crate) fn turn(link: LinkId, start: f64) -> Driver {
     Driver {
         input: Input::Turn(link),

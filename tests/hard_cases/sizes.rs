@@ -16,7 +16,7 @@ const OMEGA4: &str = "3.091073219520966523067";
 const C: [&str; 2] = ["311.416953239068390194", "233.7799046679389075852"];
 
 #[test]
-fn h08_a_crank_of_a_millionth_has_accurate_rates() {
+fn h08_tiny_crank_has_accurate_rates() {
     let rows = [
         (
             1e-6,
@@ -61,8 +61,8 @@ fn h08_a_crank_of_a_millionth_has_accurate_rates() {
         assert_near("C.y", c.y, y, slack);
         let direction = state.direction(opened.rocker).unwrap().angle();
         assert_near("theta4", direction, theta4, slack / 1.25 + 2.0 * U);
-        // 10 u / sin^2(mu) of the rates' size, that of the larger one: omega4 is near its zero, where
-        // a rounding of the crank's angle alone moves it by 38 u of its own.
+        // 10 u / sin^2(mu) relative to the larger rate: omega4 is near its zero, where rounding the
+        // crank's angle alone changes it by 38 u relative to itself.
         let slack = 10.0 * U / opened.sin_mu(&state).powi(2) * exact(omega3).hi.abs();
         for (link, omega) in [(opened.coupler, omega3), (opened.rocker, omega4)] {
             assert_near("omega", state.omega(link).unwrap(), omega, slack);
@@ -71,7 +71,7 @@ fn h08_a_crank_of_a_millionth_has_accurate_rates() {
 }
 
 #[test]
-fn h08_a_crank_of_a_million_keeps_what_its_coordinates_leave() {
+fn h08_huge_crank_is_accurate_to_coordinate_rounding() {
     let huge = FourBar {
         crank: 1e6,
         coupler: 1.0,
@@ -87,7 +87,7 @@ fn h08_a_crank_of_a_million_keeps_what_its_coordinates_leave() {
     let slack = opened.position_slack(&state);
     assert_near("C.x", c.x, "1000000.586029004241798", slack);
     assert_near("C.y", c.y, "0.9102900717194285895416", slack);
-    // B is rounded to 1e6 u: so is the coupler, of length 1.
+    // B has a rounding error of 1e6 u, and so has the coupler, of length 1.
     for (link, omega) in [
         (opened.coupler, "-1047643.53899938738528"),
         (opened.rocker, "-932554.4512956721330874"),
@@ -96,7 +96,8 @@ fn h08_a_crank_of_a_million_keeps_what_its_coordinates_leave() {
     }
 }
 
-/// The angles and rates of the lecture's four-bar in another size or place.
+/// Compares the angles and rates of a scaled or translated copy with those of the lecture's
+/// four-bar.
 fn assert_turns_like_the_lecture_s(opened: &Opened, state: &State) {
     let angle_slack = opened.position_slack(state) / opened.of.rocker + 2.0 * U;
     let angle = |link| state.direction(link).unwrap().angle();
@@ -109,7 +110,7 @@ fn assert_turns_like_the_lecture_s(opened: &Opened, state: &State) {
 }
 
 #[test]
-fn h09_the_size_does_not_matter() {
+fn h09_scaled_four_bar_is_equally_accurate() {
     let plain = LECTURE.open();
     let lecture = plain.at(60.0);
     for size in [1e-9, 1e-12, 1e9, 1e150, 1e-150, 1.0] {
@@ -138,7 +139,7 @@ fn h09_the_size_does_not_matter() {
 }
 
 #[test]
-fn h09_powers_of_two_change_no_bit() {
+fn h09_scaling_by_power_of_two_is_exact() {
     let plain = LECTURE.open();
     for power in [-900, -500, -40, -1, 1, 30, 500, 900] {
         let size = 2.0_f64.powi(power);
@@ -151,9 +152,9 @@ fn h09_powers_of_two_change_no_bit() {
     }
 }
 
-/// Lengths below the normal doubles, as H19 wants them: scaled first.
+/// Subnormal lengths, as H19 requires: they are scaled first.
 #[test]
-fn h09_lengths_of_a_few_smallest_doubles_move_alike() {
+fn h09_subnormal_lengths_move_like_normal_ones() {
     const SMALLEST: f64 = 5e-324;
     let (plain, tiny) = (LECTURE.open(), LECTURE.scaled(SMALLEST).open());
     assert_eq!(plain.solver.motion().range, tiny.solver.motion().range);
@@ -168,7 +169,7 @@ fn h09_lengths_of_a_few_smallest_doubles_move_alike() {
 }
 
 #[test]
-fn h10_a_far_ground_costs_nothing() {
+fn h10_distant_ground_loses_no_accuracy() {
     let origin = Vec2::new(1e8, -3e8);
     let far = FourBar { origin, ..LECTURE }.open();
     let plain = LECTURE.open();
@@ -191,7 +192,7 @@ fn h10_a_far_ground_costs_nothing() {
         here.acceleration(plain.joint).unwrap()
     );
     let c = there.position(far.joint).unwrap();
-    // Half an ulp of the coordinate, and what C itself may be off by.
+    // Half an ulp of the coordinate, plus the allowed error of C itself.
     let own = plain.position_slack(&here);
     for (found, decimal, shift, half_ulp) in [
         (c.x, C[0], origin.x, 2.0_f64.powi(-27)),

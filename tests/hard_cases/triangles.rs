@@ -1,12 +1,13 @@
-//! Triangles of two links and the line between their feet: needles, and those of whole numbers.
+//! Triangles of two links and the line between their feet: needles, and triangles with integer
+//! sides.
 
 use crate::exact::DoubleDouble;
 use crate::rig::{Triangle, U, condition, exact, solved};
 use krank::Vec2;
 use krank::solver::{Condition, Fault, Order};
 
-/// The needles of Kahan's paper with their exact areas, and a last one that is as thin: doubles cannot tell
-/// that these two are triangles at all.
+/// The needles of Kahan's paper with their exact areas, and a last, equally thin one. Doubles
+/// cannot decide whether the last two are triangles at all.
 const NEEDLES: [([f64; 3], &str); 6] = [
     (
         [100_000.0, 99_999.999_79, 0.000_29],
@@ -28,14 +29,14 @@ const NEEDLES: [([f64; 3], &str); 6] = [
     ),
 ];
 
-/// Where the apex is, roughly: enough to tell the sides apart.
+/// Returns the approximate position of the apex, sufficient to distinguish the sides.
 fn apex(base: f64, left: f64, right: f64, height: f64) -> Vec2 {
     let along = 0.5 * (base + (left - right) * (left + right) / base);
     Vec2::new(along, height)
 }
 
 #[test]
-fn h07_needle_triangles_are_as_high_as_their_area_says() {
+fn h07_needle_triangles_have_exact_height() {
     for ([p, q, r], area) in NEEDLES {
         for [base, left, right] in [
             [p, q, r],
@@ -63,9 +64,9 @@ fn h07_needle_triangles_are_as_high_as_their_area_says() {
 }
 
 #[test]
-fn h07_a_triangle_without_an_area_is_a_line() {
+fn h07_triangle_without_area_is_dead_point() {
     // The case's own sides, 1 and 1 - u, are equal by the rule of 4 u: their feet may meet, and the
-    // motion goes on there as a kite's. Sides that no rule calls equal are a line.
+    // motion continues there like a kite's. Sides that are not equal by any rule form a line.
     let (left, right, base) = (1.0, 0.75, 0.25);
     let near = apex(0.5, left, right, 1.0);
     let triangle = Triangle::open(0.5, left, right, near).expect("a triangle");
@@ -75,10 +76,10 @@ fn h07_a_triangle_without_an_area_is_a_line() {
     assert_eq!(state.position(triangle.apex).unwrap(), Vec2::new(1.0, 0.0));
 }
 
-/// The case's own: 1 = 0.9999999999999999 + 1.1102230246251565e-16 exactly. Its two assemblies are one,
-/// of height 0, and no start tells them apart.
+/// The case's own values: 1 = 0.9999999999999999 + 1.1102230246251565e-16 exactly. Its two
+/// assemblies coincide at height 0, and no start distinguishes them.
 #[test]
-fn h07_the_needle_without_an_area_has_no_height() {
+fn h07_needle_without_area_is_vague() {
     let (long, less, sliver) = (1.0, 1.0 - U, U);
     for [base, left, right] in [
         [long, less, sliver],
@@ -96,7 +97,7 @@ fn h07_the_needle_without_an_area_has_no_height() {
 }
 
 #[test]
-fn h07_a_triangle_on_a_base_below_rounding_keeps_its_sides() {
+fn h07_triangle_on_tiny_base_keeps_its_sides() {
     let triangle = Triangle::open(1.0, 1.0, 1.0, Vec2::new(0.5, 0.8)).expect("a triangle");
     let mut state = triangle.solver.state();
     for base in [f64::EPSILON, 1e-17, 1e-100, 1e-160, 1e-300] {
@@ -110,7 +111,7 @@ fn h07_a_triangle_on_a_base_below_rounding_keeps_its_sides() {
 }
 
 #[test]
-fn h25_triangles_of_whole_numbers_are_exact() {
+fn h25_integer_triangles_are_exact() {
     for (base, side, apex) in [(8.0, 5.0, (4.0, 3.0)), (10.0, 13.0, (5.0, 12.0))] {
         for sign in [1.0, -1.0] {
             let expected = Vec2::new(apex.0, sign * apex.1);
@@ -124,9 +125,10 @@ fn h25_triangles_of_whole_numbers_are_exact() {
     }
 }
 
-/// By less than any rounding: a double too long a base leaves the sides open, and says by how much.
+/// A base that is one double too long leaves the sides open, by less than any rounding error, and
+/// the fault reports the gap.
 #[test]
-fn a_closure_that_is_one_ulp_too_short_is_open() {
+fn base_one_ulp_too_long_is_open() {
     let open = |base: f64| Triangle::open(base, 80.0, 120.0, apex(base, 80.0, 120.0, 1e-6));
     let ulp = 200.0_f64.next_up() - 200.0;
     match open(200.0 + ulp).err() {

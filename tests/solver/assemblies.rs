@@ -1,4 +1,4 @@
-//! The choices of groups, whole assemblies, and what follows from picking another one.
+//! The choices of groups, whole assemblies, and switching between them.
 
 #![allow(clippy::excessive_precision, reason = "the digits of the hard cases")]
 
@@ -14,7 +14,7 @@ fn preset(name: &str) -> Scene {
     scene(presets::find(name).unwrap().text)
 }
 
-/// A = (0, 0), D = (d, 0), crank a, coupler b, follower c.
+/// Creates a four-bar with A = (0, 0), D = (d, 0), crank a, coupler b and follower c.
 fn four_bar([a, b, c, d]: [f64; 4], angle: f64, start: &str) -> Scene {
     scene(&format!(
         "[ground]\nA = [0, 0]\nD = [{d}, 0]\n[driver]\nlink = \"a\"\nangle = {angle}\n\
@@ -41,7 +41,7 @@ fn at(solver: &Solver, angle: f64) -> State {
     state.into_state()
 }
 
-/// The group behind the driver's.
+/// Returns the group after the driver's.
 fn second(solver: &Solver) -> GroupId {
     solver.plan().numbered().nth(1).unwrap().0
 }
@@ -52,9 +52,9 @@ fn near(seen: Vec2, expected: [f64; 2]) {
     assert!(off < 1e-12 * seen.norm(), "{seen:?} is not {expected:?}");
 }
 
-/// The lectures' four-bar: `+` is the lectures' assembly, C on the left of B -> D.
+/// The lectures' four-bar: `+` is the lectures' assembly, with C on the left of B -> D.
 #[test]
-fn h29_both_assemblies_have_their_own_values() {
+fn h29_both_assemblies_have_exact_values() {
     let scene = preset("four-bar");
     let c = point(&scene, "C");
     let plus = picked(&scene, "C", Pick::Plus).unwrap();
@@ -67,7 +67,7 @@ fn h29_both_assemblies_have_their_own_values() {
         at(&minus, 240.0).position(c).unwrap(),
         [233.0310636095914411023, -186.0681979292960758229],
     );
-    // Full turns later, and from one to the other at any angle, to the bit.
+    // Full turns later, and after switching at any angle, the values agree bit for bit.
     let place = at(&minus, 240.0).position(c).unwrap();
     assert_eq!(at(&minus, 240.0 + 360.0).position(c).unwrap(), place);
     for from in [0.0, 60.0, 240.0, 301.5] {
@@ -88,7 +88,7 @@ fn h29_both_assemblies_have_their_own_values() {
 }
 
 #[test]
-fn h21_both_sides_of_a_near_miss_can_be_picked() {
+fn h21_both_sides_of_near_miss_can_be_picked() {
     let scene = four_bar([1.0, 3.0, 1.0 + 1e-9, 3.0], 60.0, "");
     let c = point(&scene, "C");
     for (pick, at_60, at_350) in [
@@ -105,15 +105,15 @@ fn h21_both_sides_of_a_near_miss_can_be_picked() {
     ] {
         let solver = picked(&scene, "C", pick).unwrap();
         near(at(&solver, 60.0).position(c).unwrap(), at_60);
-        // In lengths that were typed the sides of the near miss are 1e-5 apart.
+        // In typed lengths, the sides of the near miss are 1e-5 apart.
         near(at(&solver, -10.0).position(c).unwrap(), at_350);
     }
 }
 
-/// Each mode of a coupled group has a motion of its own, closed over a turn or with its own limits, and
-/// is found again from any angle of it.
+/// Each mode of a coupled group has its own motion, closed over a turn or with its own limits, and
+/// can be selected from any of its angles.
 #[test]
-fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
+fn coupled_group_modes_are_separate_motions() {
     let text = presets::find("stephenson-six-bar").unwrap().text;
     for text in [
         text.to_owned(),
@@ -137,7 +137,7 @@ fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
                 }
                 Range::Limited { low, high } => (low, high),
             };
-            // Step by step or at once, it is the same way around.
+            // In steps or directly, the motion is the same.
             let mut before = place;
             for k in 0..=400 {
                 let angle = 60.0 + (range.1 - 60.0) * f64::from(k) / 400.0;
@@ -145,7 +145,7 @@ fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
                 assert!((now - before).norm() < 20.0, "a jump at {angle}");
                 before = now;
             }
-            // From elsewhere to another mode there, and back.
+            // Switching elsewhere to another mode, and back.
             let angle = 60.0 + 0.5 * (range.1 - 60.0);
             let there = solver.choices(angle, second(&solver));
             let own = there.iter().find(|c| c.is_current).unwrap().pick;
@@ -161,7 +161,7 @@ fn the_modes_of_a_coupled_group_are_motions_of_their_own() {
 }
 
 #[test]
-fn choices_are_listed_with_the_one_that_is_followed() {
+fn choices_mark_current_assembly() {
     let scene = preset("four-bar");
     let c = point(&scene, "C");
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -192,9 +192,10 @@ fn choices_are_listed_with_the_one_that_is_followed() {
     assert!(part.choices(60.0, second(&part)).is_empty());
 }
 
-/// Two dyads in a row: the assemblies that open are those that are listed, and each is itself.
+/// Two dyads in a row: exactly the listed assemblies open, and each reports itself as the current
+/// one.
 #[test]
-fn whole_assemblies_are_listed_and_can_be_opened() {
+fn listed_assemblies_match_those_that_open() {
     let mut counts = Vec::new();
     for name in ["press", "watt-six-bar", "klann-leg", "press-ram"] {
         let scene = preset(name);
@@ -232,7 +233,7 @@ fn whole_assemblies_are_listed_and_can_be_opened() {
 }
 
 #[test]
-fn more_than_few_assemblies_are_not_listed_to_the_end() {
+fn assembly_list_has_at_most_64_entries() {
     let scene = preset("scissor-lift");
     let solver = Solver::new(&scene.mechanism).unwrap();
     let all = solver.assemblies(scene.mechanism.driver().start);
@@ -243,9 +244,9 @@ fn more_than_few_assemblies_are_not_listed_to_the_end() {
     assert!(all.list.len() > 1 && all.current.is_some());
 }
 
-/// A redundant constraint closes with one choice alone.
+/// A redundant constraint closes with only one choice.
 #[test]
-fn a_choice_that_breaks_a_redundant_constraint_does_not_close() {
+fn choice_breaking_redundant_constraint_does_not_close() {
     let scene = preset("triple-parallelogram");
     let solver = Solver::new(&scene.mechanism).unwrap();
     let start = scene.mechanism.driver().start;
@@ -257,9 +258,9 @@ fn a_choice_that_breaks_a_redundant_constraint_does_not_close() {
     assert_eq!((all.list.len(), all.current), (1, Some(0)));
 }
 
-/// A range of its own: the dead points are those of the assembly that was picked.
+/// The dead points of the range are those of the selected assembly.
 #[test]
-fn a_scene_may_open_at_its_dead_point() {
+fn scene_can_open_at_dead_point() {
     let limit = {
         let scene = four_bar([60.0, 50.0, 60.0, 100.0], 60.0, "[start]\nC = [75, 55]\n");
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -291,13 +292,14 @@ fn a_scene_may_open_at_its_dead_point() {
                 < 1e-6
         );
     }
-    // Both are one there: none needs to be picked.
+    // Both assemblies coincide there, so that no selection is needed.
     assert!(Solver::new(&scene.mechanism).is_ok());
 }
 
-/// At a change point two ways lead on; one must be picked, and is then followed, value for value.
+/// At a change point two motions continue. One must be selected, and is then followed value for
+/// value.
 #[test]
-fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
+fn h01_h02_scene_opened_at_change_point_follows_pick() {
     for (opening, anti_at_0) in [(0.0, -2.0), (180.0, -0.5)] {
         let scene = four_bar([1.0, 3.0, 1.0, 3.0], opening, "");
         let group = ElementId::Point(point(&scene, "C"));
@@ -318,7 +320,7 @@ fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
                 assert_eq!(state.condition(), Condition::ChangePoint);
                 let choices = solver.choices(opening, second(&solver));
                 assert!(choices.iter().all(|c| c.is_current == (c.pick == pick)));
-                // The other way through, from the change point itself.
+                // The other continuation, switched at the change point itself.
                 let other = if pick == Pick::Plus {
                     Pick::Minus
                 } else {
@@ -339,7 +341,7 @@ fn h01_h02_a_scene_that_opens_at_a_change_point_goes_the_way_that_is_picked() {
 }
 
 #[test]
-fn what_cannot_be_picked_is_refused_with_what_there_is() {
+fn invalid_pick_is_rejected_with_number_of_choices() {
     let scene = preset("four-bar");
     let group = ElementId::Point(point(&scene, "C"));
     let refused = |name, pick| picked(&scene, name, pick).unwrap_err();

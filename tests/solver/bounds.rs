@@ -1,6 +1,6 @@
-//! No bound is ever smaller than the true error; and how much larger it is.
+//! Bounds are never smaller than the true error; the tests also measure how much larger they are.
 //!
-//! The truth is the same state in twice the precision.
+//! The true values are those of the same state in double-double.
 #![allow(clippy::print_stdout, reason = "the overestimates are to be read")]
 
 use crate::typed::short;
@@ -9,7 +9,7 @@ use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
 use krank::{Ball, Body, Builder, Double, Driver, Input, LinkId, Mechanism, PointId, Vec2};
 
-/// A solver, and all that its figures are held against.
+/// A solver with everything that its values are compared with.
 struct Trial {
     solver: Solver,
     figures: Vec<(Subject, Aspect)>,
@@ -18,12 +18,12 @@ struct Trial {
     twice: Workspace<Double>,
 }
 
-/// What came of many figures, by the order of their derivative.
+/// Results over many values, by the order of their derivative.
 #[derive(Default)]
 struct Tally {
     states: usize,
     unproved: [usize; 3],
-    /// Bound over error, where there is an error.
+    /// The ratio of bound to error, if there is an error.
     over: [Vec<f64>; 3],
 }
 
@@ -95,7 +95,7 @@ impl Trial {
         }
     }
 
-    /// Holds every bound at one coordinate against the true error.
+    /// Compares every bound at one coordinate with the true error.
     fn check(&mut self, at: f64, tally: &mut Tally) {
         let order = Order::Acceleration;
         if self.solver.solve(at, order, &mut self.state) != Condition::Ok
@@ -134,7 +134,7 @@ impl Trial {
 }
 
 #[test]
-fn every_figure_of_every_preset_is_within_its_bound() {
+fn every_preset_value_is_within_its_bound() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let mut trial = Trial::of_scene(&scene);
@@ -148,10 +148,10 @@ fn every_figure_of_every_preset_is_within_its_bound() {
     }
 }
 
-/// Points that are seen from others by lengths and angles that no double holds, over a whole turn: their bounds are
-/// about as wide as those of the same points by coordinates that no double holds.
+/// Points given by lengths and angles that no double represents, over a whole turn. Their bounds
+/// are about as wide as those of the same points by coordinates that no double represents.
 #[test]
-fn places_by_length_and_angle_are_within_their_bounds() {
+fn polar_points_are_within_their_bounds() {
     let sighted = crate::polar::SIGHTED;
     let plain = sighted
         .replace(
@@ -187,9 +187,9 @@ fn four_bar_of(change: [&str; 2]) -> Scene {
     Scene::parse(&text, preset.name).unwrap()
 }
 
-/// An angle that rounds to a full turn is written as 0.
+/// An angle that rounds to a full turn is shown as 0.
 #[test]
-fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
+fn angle_just_below_turn_is_within_its_bound_of_zero() {
     let scene = four_bar_of(["", ""]);
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut state, mut balls) = (solver.state(), solver.enclosure());
@@ -207,16 +207,16 @@ fn an_angle_just_below_a_turn_is_within_its_bound_of_zero() {
     }
 }
 
-/// The worst of half a million: 37.459... rpm is off by 4.8 halves of an ulp once it is converted. The others are
-/// doubles with twenty zeros or more at their ends then, as if they had been typed.
+/// The worst of half a million: 37.459... rpm has an error of 4.8 half ulps after the conversion.
+/// The others become doubles with twenty or more trailing zeros, as if they had been typed.
 #[test]
-fn a_speed_that_was_converted_is_within_its_bound() {
+fn converted_speed_is_within_its_bound() {
     let speeds = [
         ("37.45989650588049", 3_745_989_650_588_049.0, 1e14),
         ("6002.41", 600_241.0, 1e2),
         ("1800.723", 1_800_723.0, 1e3),
         ("25039.7", 250_397.0, 10.0),
-        // These come out as whole numbers: 5, 50 and 15 rad/s.
+        // These become whole numbers: 5, 50 and 15 rad/s.
         ("47.7464829275686", 477_464_829_275_686.0, 1e13),
         ("477.464829275686", 477_464_829_275_686.0, 1e12),
         ("143.2394487827058", 1_432_394_487_827_058.0, 1e13),
@@ -241,10 +241,10 @@ fn a_speed_that_was_converted_is_within_its_bound() {
     }
 }
 
-/// Beyond a limit there is no assembly, not even by the decimals that it was written with: but then the limit is
-/// meant, where positions have their bounds.
+/// Beyond a limit there is no assembly, not even for the decimals of the limit as printed. Such a
+/// value means the limit, where positions have their bounds.
 #[test]
-fn what_is_written_just_beyond_a_limit_means_the_limit() {
+fn value_just_beyond_limit_means_limit() {
     let preset = presets::find("double-rocker").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -268,7 +268,7 @@ fn what_is_written_just_beyond_a_limit_means_the_limit() {
     }
 }
 
-/// Numbers that are as good as random, and the same in every run (splitmix64).
+/// Pseudo-random numbers, equal in every run (splitmix64).
 pub(crate) struct Dice(u64);
 
 impl Dice {
@@ -288,13 +288,13 @@ impl Dice {
         low + (high - low) * self.unit()
     }
 
-    /// A place somewhere around another.
+    /// Returns a random position around another.
     fn around(&mut self, of: Vec2, reach: f64) -> Vec2 {
         of + Vec2::new(self.within(-reach, reach), self.within(-reach, reach))
     }
 }
 
-/// A mechanism built from places: lengths are what lies between them, so that it closes.
+/// A mechanism built from positions: lengths are the distances between them, so that it closes.
 struct Maker {
     builder: Builder,
     places: Vec<(PointId, Vec2)>,
@@ -331,7 +331,7 @@ impl Maker {
         self.builder.link(from, to, length)
     }
 
-    /// A further point of a link, where it is.
+    /// Adds a further point to a link at its position.
     fn carry(&mut self, link: LinkId, [from, to]: [PointId; 2], point: PointId) {
         let along = self.place(to) - self.place(from);
         let seen = self.place(point) - self.place(from);
@@ -369,7 +369,7 @@ fn four_bar(dice: &mut Dice) -> Option<Mechanism> {
     maker.driven(crank, [a, b])
 }
 
-/// The frame is chosen so that the arms are within 10^-1 to 10^-13 of being in line somewhere.
+/// The frame is chosen such that the arms come within 10^-1 to 10^-13 of being collinear.
 fn near_change_point(dice: &mut Dice) -> Option<Mechanism> {
     let mut builder = Mechanism::builder();
     let [crank, coupler, rocker] = [0; 3].map(|_| short(dice.within(0.5, 2.0)));
@@ -426,7 +426,7 @@ fn watt(dice: &mut Dice) -> Option<Mechanism> {
     maker.driven(crank, [a, b])
 }
 
-/// The same driven from the other side: the loops are coupled.
+/// Watt's six-bar driven from the other side, so that the loops are coupled.
 fn stephenson(dice: &mut Dice) -> Option<Mechanism> {
     let mut maker = Maker::new();
     let [a, d, g] = [(0.0, 0.0), (2.0, 0.0), (1.0, 2.0)]
@@ -444,8 +444,8 @@ fn stephenson(dice: &mut Dice) -> Option<Mechanism> {
     maker.driven(crank, [g, f])
 }
 
-/// States of one mechanism: half of them anywhere, half close to an end of the motion or, where it
-/// has none, to where the first state of a turn is.
+/// Checks states of one mechanism: half of them at random, half close to an end of the motion or,
+/// for full turns, close to the first state of a turn.
 fn visit(trial: &mut Trial, states: usize, dice: &mut Dice, tally: &mut Tally) {
     let (low, high) = trial.ends();
     for k in 0..states {
@@ -481,14 +481,14 @@ fn visit_many(
         .zip(most)
         .all(|(median, most)| *median <= most);
     assert!(is_near, "{name}: {medians:?}");
-    // Only within some 1e-13 of a dead point may a bound be missing.
+    // Bounds may be missing only within about 1e-13 of a dead point.
     let figures: usize = tally.over.iter().map(Vec::len).sum();
     let unproved: usize = tally.unproved.iter().sum();
     assert!(unproved * 50 < figures, "{name}: {unproved} of {figures}");
     tally.states
 }
 
-/// How far bounds of positions, velocities and accelerations may be above the error in the median.
+/// Maximum median ratio of bound to error, for positions, velocities and accelerations.
 const MEDIANS: [f64; 3] = [4.0, 6.0, 8.0];
 
 #[test]
@@ -497,31 +497,31 @@ fn four_bars_stay_within_their_bounds() {
 }
 
 #[test]
-fn near_change_points_too() {
+fn four_bars_near_change_points_stay_within_their_bounds() {
     visit_many("near change points", near_change_point, 250_000, MEDIANS);
 }
 
 #[test]
-fn slider_cranks_too() {
+fn slider_cranks_stay_within_their_bounds() {
     visit_many("slider-cranks", slider_crank, 250_000, MEDIANS);
 }
 
 #[test]
-fn six_bars_of_dyads_too() {
+fn six_bars_of_dyads_stay_within_their_bounds() {
     visit_many("six-bars of dyads", watt, 150_000, MEDIANS);
 }
 
 #[test]
-fn coupled_six_bars_too() {
+fn coupled_six_bars_stay_within_their_bounds() {
     visit_many("coupled six-bars", stephenson, 100_000, MEDIANS);
 }
 
-/// Four-bars in series, each driven by the rocker of the one before.
+/// Creates four-bars in series, each driven by the rocker of the one before.
 fn chain(dyads: usize, length: f64) -> Mechanism {
     chain_of(dyads, length, |_, _, _| {})
 }
 
-/// With whatever stands on the rocker and the joint of each.
+/// Creates such a chain with additional elements on the rocker and the joint of each four-bar.
 fn chain_of(
     dyads: usize,
     length: f64,
@@ -550,9 +550,9 @@ fn chain_of(
     builder.build().unwrap()
 }
 
-/// Group by group balls used to widen until nothing was left of them behind some eighty dyads.
+/// Computed group by group, balls used to widen until they were useless behind about eighty dyads.
 #[test]
-fn bounds_of_long_chains_stay_near() {
+fn bounds_of_long_chains_stay_tight() {
     for dyads in [5, 20, 84, 160, 300] {
         let mut trial = Trial::of_mechanism(&chain(dyads, 1.25)).unwrap();
         let mut tally = Tally::default();
@@ -565,9 +565,9 @@ fn bounds_of_long_chains_stay_near() {
     }
 }
 
-/// Digits that nobody typed do not widen from dyad to dyad either.
+/// Rounding errors of untyped digits do not widen from dyad to dyad either.
 #[test]
-fn bounds_of_long_chains_of_rounded_lengths_are_of_use() {
+fn bounds_of_long_chains_with_rounded_lengths_stay_useful() {
     let mut trial = Trial::of_mechanism(&chain(84, 39.3)).unwrap();
     trial.check(123.4, &mut Tally::default());
     let (subject, aspect) = *trial
@@ -580,15 +580,15 @@ fn bounds_of_long_chains_of_rounded_lengths_are_of_use() {
     assert!(bound < 1e-9, "{bound:e}");
 }
 
-/// A link between two points that are known turns with the way between them, and misses it along itself by what its
-/// own digits leave open: what follows of its rates is bounded behind many dyads too.
+/// A link between two known points turns with the vector between them; its length differs from
+/// their distance by the rounding of its digits. Its rates have bounds even behind many dyads.
 #[test]
-fn links_between_known_points_of_long_chains_are_within_their_bounds() {
+fn ties_in_long_chains_are_within_their_bounds() {
     let mechanism = chain_of(12, 1.25, |builder, rocker, joint| {
         let end = builder.moving_point();
         builder.carry(rocker, end, Vec2::new(0.75, 0.0));
         let tie = builder.free_link();
-        // 0.5 apart in decimals, and not in doubles.
+        // 0.5 apart in decimals, but not in doubles.
         builder.carry(tie, joint, Vec2::ZERO);
         builder.carry(tie, end, Vec2::new(0.3, 0.4));
         builder.decimals();
@@ -602,9 +602,9 @@ fn links_between_known_points_of_long_chains_are_within_their_bounds() {
     assert_eq!(tally.unproved, [0; 3]);
 }
 
-/// Bounds are local: where a scene is drawn says nothing about its motion.
+/// Bounds are local: the position of a scene does not affect its motion.
 #[test]
-fn far_from_the_origin_bounds_are_those_at_the_origin() {
+fn bounds_do_not_depend_on_distance_from_origin() {
     const FAR: f64 = 1e7;
     let draw = |far: f64| {
         let mut builder = Mechanism::builder();

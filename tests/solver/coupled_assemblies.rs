@@ -1,20 +1,20 @@
-//! All assemblies of a coupled group: three legs that carry one link have up to six. Here they are
-//! counted in another way, by turning the link through all directions.
+//! All assemblies of a coupled group: a link on three legs has up to six. The tests count them
+//! independently by turning the link through all directions.
 
 use krank::solver::{Condition, GroupId, Order, Solver};
 use krank::{Driver, Input, Mechanism, PointId, Vec2};
 
-/// A link on three legs, whose first foot is the crank's pin.
+/// A link on three legs; the first foot is the crank's pin.
 #[derive(Clone, Copy, Debug)]
 struct Triad {
     feet: [Vec2; 3],
     legs: [f64; 3],
-    /// Where the legs hold the link, in its own frame.
+    /// The attachment points of the legs in the link's own frame.
     tops: [Vec2; 3],
 }
 
 impl Triad {
-    /// The crank stands at 0 deg and ends at the first foot.
+    /// Builds the mechanism with the crank at 0 deg and its pin at the first foot.
     fn build(&self, start: Option<[Vec2; 3]>) -> (Mechanism, [PointId; 3]) {
         let mut m = Mechanism::builder();
         let pivot = m.ground_point(self.feet[0].x - 0.01, self.feet[0].y);
@@ -43,11 +43,12 @@ impl Triad {
         (m.build().unwrap(), tops)
     }
 
-    /// The misfit of the third leg with the link in a direction and the first two legs in place, on
-    /// either side; `None` where these do not meet.
+    /// Returns the residual of the third leg for a direction of the link with the first two legs in
+    /// place, on either side; `None` if these do not meet.
     fn misfits(&self, angle: f64) -> Option<[f64; 2]> {
         let turned = |p: Vec2| p.turned(krank::angle::unit(angle));
-        // The first top on two circles, the second moved by what the link puts between the tops.
+        // The first top is on two circles, the second of which is shifted by the vector between the
+        // tops.
         let p = self.feet[0];
         let q = self.feet[1] - turned(self.tops[1] - self.tops[0]);
         let u = q - p;
@@ -62,8 +63,9 @@ impl Triad {
         (across >= 0.0).then(|| [misfit(1.0), misfit(-1.0)])
     }
 
-    /// How often the third leg fits while the link turns once; `None` where it nearly touches without
-    /// fitting, or fits twice within a step: then the count depends on the last digits.
+    /// Counts the solutions of the third leg over one turn of the link. Returns `None` if it nearly
+    /// touches without fitting, or fits twice within a step: the count then depends on the last
+    /// digits.
     fn count(&self, steps: usize) -> Option<usize> {
         let at = |k: usize| self.misfits(360.0 * (k % steps) as f64 / steps as f64);
         let mut count = 0;
@@ -79,7 +81,7 @@ impl Triad {
                         }
                     }
                 }
-                // Where the two legs come into line the sides join.
+                // Where the two legs become collinear, the sides join.
                 (Some([a, b]), None) | (None, Some([a, b])) => {
                     count += usize::from(a * b < 0.0);
                     if a.abs().min(b.abs()) < 0.02 {
@@ -93,7 +95,7 @@ impl Triad {
     }
 }
 
-/// Numbers that look random and are the same every time: Knuth's multiplier.
+/// Pseudo-random numbers, equal in every run: Knuth's multiplier.
 struct Numbers(u64);
 
 impl Numbers {
@@ -112,7 +114,7 @@ impl Numbers {
     fn triad(&mut self) -> Triad {
         let feet = [(); 3].map(|()| self.place(1.5));
         let tops = [(); 3].map(|()| self.place(1.0));
-        // A pose to close by, so that there is one at least.
+        // A nearby pose guarantees at least one assembly.
         let (middle, turn) = (
             self.place(0.7),
             krank::angle::unit(self.between(0.0, 360.0)),
@@ -132,7 +134,7 @@ fn coupled(solver: &Solver) -> GroupId {
 }
 
 #[test]
-fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
+fn search_finds_as_many_assemblies_as_fine_scan() {
     let mut numbers = Numbers(3);
     let mut seen = [0; 4];
     for _ in 0..200 {
@@ -141,7 +143,7 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
             continue;
         };
         let (mechanism, tops) = triad.build(None);
-        // Without a start it is refused, if there are several; any start will do to look at them all.
+        // Without a start it is rejected if there are several; any pick serves to list them all.
         let somewhere = match Solver::new(&mechanism) {
             Ok(solver) => solver,
             Err(krank::solver::Fault::Vague { .. }) => {
@@ -167,7 +169,7 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
                 let side = (place[i] - place[j]).norm();
                 assert!((side - (triad.tops[i] - triad.tops[j]).norm()).abs() < 1e-12);
             }
-            // Each can be opened by its place, and is then itself.
+            // Each assembly can be opened by its position and is then the current one.
             let (mechanism, _) = triad.build(Some(place));
             let opened = Solver::new(&mechanism).unwrap();
             let mut state = opened.state();
@@ -182,10 +184,10 @@ fn the_search_finds_as_many_assemblies_as_a_fine_scan() {
     assert!(seen[1] > 20 && seen[2] > 5 && seen[3] > 0, "{seen:?}");
 }
 
-/// Rough starts, rougher than a person's, and close to a limit, where two assemblies all but meet:
-/// Newton's method alone used to give up on some.
+/// Rough starts, rougher than a user's, and some close to a limit, where two assemblies nearly
+/// meet. Newton's method alone used to fail for some.
 #[test]
-fn a_rough_start_is_put_together_however_rough() {
+fn rough_start_opens_nearest_assembly() {
     let mut numbers = Numbers(11);
     for _ in 0..300 {
         let triad = numbers.triad();
@@ -195,7 +197,7 @@ fn a_rough_start_is_put_together_however_rough() {
             Ok(solver) => solver,
             Err(fault) => panic!("{fault:?}: {triad:?} from {rough:?}"),
         };
-        // It is the nearest of all that there are.
+        // The opened assembly is the nearest of all.
         let choices = solver.choices(0.0, coupled(&solver));
         let miss = |c: &krank::solver::Choice| -> f64 {
             let place = tops.map(|p| c.state.position(p).unwrap());
@@ -210,9 +212,10 @@ fn a_rough_start_is_put_together_however_rough() {
     }
 }
 
-/// Hard case H18 (upper limit 322.497 deg, lower 47.938): opened ever closer to its limit.
+/// Hard case H18 (upper limit 322.497 deg, lower 47.938), opened at decreasing distances to its
+/// limit.
 #[test]
-fn h18_a_coupled_group_opens_close_to_its_limit() {
+fn h18_coupled_group_opens_close_to_limit() {
     let text = include_str!("../../presets/stephenson-six-bar.toml");
     let text = text
         .replace("length = 30 }", "length = 90 }")
@@ -229,7 +232,7 @@ fn h18_a_coupled_group_opens_close_to_its_limit() {
             panic!("the crank cannot turn fully");
         };
         assert!((found - low).abs() < 1e-9, "{digits}: {found}");
-        // The two assemblies that meet at the limit are two until there.
+        // The two assemblies that meet at the limit are separate up to there.
         let group = coupled(&solver);
         let choices = solver.choices(angle, group);
         assert!(
@@ -240,7 +243,7 @@ fn h18_a_coupled_group_opens_close_to_its_limit() {
     }
 }
 
-/// The choices of the first coupled group at a coordinate, with their places.
+/// Returns the choices of the first coupled group at a coordinate, with their positions.
 fn choices(solver: &Solver, at: f64, point: PointId) -> Vec<(bool, Vec2)> {
     let mut groups = solver.plan().numbered();
     let coupled = groups.find(|(_, group)| group.kind.unknowns().is_some());
@@ -263,9 +266,9 @@ fn point(scene: &krank::scene::Scene, name: &str) -> PointId {
     points.find(|&p| scene.point_name(p) == Some(name)).unwrap()
 }
 
-/// A chain of twelve ternary links: a search without any start misses the assembly that the scene is in.
+/// A chain of twelve ternary links: a search without a start misses the scene's own assembly.
 #[test]
-fn the_assembly_of_the_scene_is_listed() {
+fn current_assembly_is_listed() {
     let (scene, solver) = opened(include_str!("coupled12.toml"));
     let listed = choices(&solver, 60.0, point(&scene, "P0"));
     let current: Vec<Vec2> = listed.iter().filter(|c| c.0).map(|c| c.1).collect();
@@ -276,9 +279,10 @@ fn the_assembly_of_the_scene_is_listed() {
     );
 }
 
-/// Two assemblies of a triad meet where its motion ends: close to that the present one is listed once.
+/// Two assemblies of a triad meet where its motion ends: close to the end, the current one is
+/// listed once.
 #[test]
-fn the_present_assembly_is_listed_once_next_to_another() {
+fn current_assembly_is_listed_once_near_another() {
     let (scene, solver) = opened(
         r#"
 unit = "m"

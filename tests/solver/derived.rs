@@ -1,5 +1,5 @@
-//! Figures that are made of others: sizes, directions and formulas, against the lecture's values and in
-//! arithmetic of twice the digits.
+//! Derived quantities: magnitudes, directions and formulas, compared with the lecture's values and
+//! with double-double arithmetic.
 
 use krank::Double;
 use krank::quantity::{Catalogue, Quantity, Sensitivity};
@@ -7,7 +7,7 @@ use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Range, Solver};
 use proptest::prelude::*;
 
-/// Formulas that any scene of links `r2`, `r3` and points `B`, `C` has.
+/// Formulas for any scene with links `r2`, `r3` and points `B`, `C`.
 const FORMULAS: [&str; 7] = [
     "swing = r3.angle - r2.angle",
     "turned = atan2(C.vy, C.vx) + 30 deg",
@@ -54,8 +54,8 @@ impl Bench {
         self.named(name).value(&state)
     }
 
-    /// Holds every bound at a coordinate against the true error; gives how many figures have one, and how many
-    /// have none.
+    /// Compares every bound at a coordinate with the true error. Returns how many quantities have a
+    /// bound, and how many do not.
     fn check(&self, at: f64) -> [usize; 2] {
         let order = Order::Acceleration;
         let mut state = self.solver.state();
@@ -93,7 +93,7 @@ impl Bench {
 }
 
 #[test]
-fn the_figures_of_the_lectures_have_names() {
+fn named_quantities_match_lecture_values() {
     let json = include_str!("../reference/lecture_values.json");
     let json: serde_json::Value = serde_json::from_str(json).unwrap();
     for (preset, at, part, points) in [
@@ -130,7 +130,7 @@ fn the_figures_of_the_lectures_have_names() {
             }
         }
     }
-    // As the notes print them, to the digits that they have.
+    // The notes' printed values, to their digits.
     let bench = Bench::preset("four-bar");
     for (name, printed, rounding) in [
         ("B.a", 22500.0, 0.5),
@@ -149,9 +149,10 @@ fn the_figures_of_the_lectures_have_names() {
     }
 }
 
-/// Tangential is the rate of the speed, normal what is left; where there is no speed there is neither.
+/// The tangential part is the rate of the speed, and the normal part the rest; at zero speed there
+/// are no parts.
 #[test]
-fn accelerations_have_their_parts() {
+fn acceleration_splits_into_tangential_and_normal() {
     let mut bench = Bench::preset("four-bar");
     bench.catalogue.define("speed = hypot(C.vx, C.vy)").unwrap();
     for at in [0.0, 33.3, 60.0, 123.4, 300.0] {
@@ -173,7 +174,7 @@ fn accelerations_have_their_parts() {
 }
 
 #[test]
-fn forces_have_sizes_and_directions() {
+fn forces_have_magnitudes_and_directions() {
     let bench = Bench::preset("four-bar-load");
     for base in ["r3.B", "ground"] {
         let [x, y, size, direction] = ["fx", "fy", "f", "f.angle"]
@@ -185,7 +186,8 @@ fn forces_have_sizes_and_directions() {
     assert_eq!(bench.named("ground.f").unit, "N");
 }
 
-/// Of figures in degrees rates are in rad/s, as of every direction; they are those of the figures themselves.
+/// Rates of quantities in degrees are in rad/s, as for every direction; they equal the rates of the
+/// operands.
 #[test]
 fn rates_of_formulas_are_exact() {
     let bench = Bench::preset("four-bar").with_formulas();
@@ -201,7 +203,7 @@ fn rates_of_formulas_are_exact() {
     );
     assert_eq!([unit("arc"), unit("arc.rate")], ["mm^2", "mm^2/s"]);
     assert_eq!(unit("share"), "1");
-    // Against differences of the figure over time.
+    // Compared with differences over time.
     let speed = 15.0_f64.to_degrees();
     for name in ["arc", "wave", "most", "lag"] {
         let (at, h) = (60.0, 1e-4);
@@ -221,7 +223,7 @@ fn rates_of_formulas_are_exact() {
             "{name}: {accel} {secant}"
         );
     }
-    // Of accelerations no state has a rate.
+    // Accelerations have no rate in any state.
     assert!(bench.catalogue.find("share.rate").is_none());
     let told = bench
         .catalogue
@@ -232,7 +234,7 @@ fn rates_of_formulas_are_exact() {
 }
 
 #[test]
-fn everything_unlisted_is_within_its_bound() {
+fn every_unlisted_quantity_is_within_its_bound() {
     let mut unproved = 0;
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -249,13 +251,13 @@ fn everything_unlisted_is_within_its_bound() {
         assert!(counts[0] > 500, "{}: {counts:?}", preset.name);
         unproved += counts[1];
     }
-    // Where something stands still for a moment its direction is open.
+    // The direction is undefined where something is momentarily at rest.
     assert!(unproved < 300, "{unproved}");
 }
 
-/// Where a slider turns round its speed is 0 but for rounding, and its bound says so.
+/// Where a slider reverses, its speed is 0 up to rounding, within its bound.
 #[test]
-fn a_speed_of_nought_has_a_bound() {
+fn zero_speed_has_bound() {
     let bench = Bench::preset("slider-crank");
     for at in [0.0, 180.0, 180.000_000_1] {
         let (mut state, mut enclosure) = (bench.solver.state(), bench.solver.enclosure());
@@ -271,9 +273,9 @@ fn a_speed_of_nought_has_a_bound() {
     }
 }
 
-/// What a length does to a size and a direction follows from what it does to the components.
+/// The derivatives of a magnitude and a direction follow from those of the components.
 #[test]
-fn lengths_act_on_sizes_through_their_components() {
+fn length_derivatives_of_magnitudes_follow_from_components() {
     let preset = presets::find("stephenson-six-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let mut bench = Bench::of(&scene);
@@ -326,7 +328,7 @@ fn four_bar([a, b, c, d]: [f64; 4]) -> String {
 
 proptest! {
     #[test]
-    fn of_any_four_bar_too(
+    fn random_four_bar_quantities_are_within_their_bound(
         sizes in [20.0..120.0_f64, 150.0..400.0, 150.0..400.0, 150.0..400.0],
         places in prop::collection::vec(-400.0..400.0_f64, 8),
     ) {

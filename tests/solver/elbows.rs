@@ -1,12 +1,13 @@
-//! Links that are turned against other links, held against the same machines turned by their cranks: the angle
-//! between two links and its rates are read there, the machine is driven by that angle, and everything is where it was.
+//! Links driven relative to other links, compared with the same machines driven by their cranks.
+//! The crank-driven machine provides the angle between two links and its rates; driven by this
+//! angle, the machine must have the same states.
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, GroupKind, Order, Range, Solver, State};
 use krank::{Body, Input, LinkId, Vec2, angle};
 use std::fmt::Write;
 
-/// A scene without these sections.
+/// Returns a scene without these sections.
 fn without(text: &str, sections: &[&str]) -> String {
     let mut keeps = true;
     let mut kept = String::new();
@@ -22,7 +23,7 @@ fn without(text: &str, sections: &[&str]) -> String {
     kept
 }
 
-/// The angle from one link to another in degrees, its speed and its acceleration.
+/// Returns the angle from one link to another in degrees, its speed and its acceleration.
 fn between(state: &State, link: LinkId, from: LinkId) -> [f64; 3] {
     let [there, here] = [link, from].map(|l| state.direction(l).unwrap());
     let apart = there.turned(here.conj());
@@ -31,7 +32,7 @@ fn between(state: &State, link: LinkId, from: LinkId) -> [f64; 3] {
     [angle::degrees(apart), omega, alpha]
 }
 
-/// A scene with the angle between two links for its driver, opened where a state of it is.
+/// Returns a scene driven by the angle between two links, with the starts taken from a state.
 fn driven_by_elbow(scene: &Scene, state: &State, [link, from]: [LinkId; 2]) -> String {
     let left_out = ["driver", "start", "motor", "limits", "figures", "exercise"];
     let mut text = without(scene.text(), &left_out);
@@ -61,12 +62,12 @@ fn solved(solver: &Solver, at: f64) -> Option<State> {
     (condition == Condition::Ok).then(|| state.into_state())
 }
 
-/// By how much two numbers differ, in parts of a size.
+/// Returns the difference of two vectors relative to a size.
 fn off(a: Vec2, b: Vec2, size: f64) -> f64 {
     (a - b).norm() / size
 }
 
-/// How many pairs of links, and at how many places, one machine was driven by.
+/// Counts of tested pairs of links and positions.
 #[derive(Default)]
 struct Tally {
     pairs: usize,
@@ -75,7 +76,7 @@ struct Tally {
     forced: usize,
 }
 
-/// Pairs of links of a machine with a crank, driven by the angle between them.
+/// Drives a machine with a crank by the angles between pairs of its links.
 fn check(scene: &Scene, tally: &mut Tally) {
     let mechanism = &scene.mechanism;
     let crank = Solver::new(mechanism).unwrap();
@@ -87,12 +88,12 @@ fn check(scene: &Scene, tally: &mut Tally) {
         .fold(1e-9, f64::max);
     for link in mechanism.link_ids() {
         for from in mechanism.link_ids().filter(|&from| from != link) {
-            // Of machines with many links some pairs.
+            // Only some pairs of machines with many links.
             if mechanism.links().len() > 4 && (5 * link.index() + 3 * from.index()) % 7 > 1 {
                 continue;
             }
             let [_, omega, _] = between(&opened, link, from);
-            // It hardly changes: a dead point of this input.
+            // The angle hardly changes: a dead point of this input.
             if omega.abs() < 0.1 * opened.driver_speed().abs() {
                 continue;
             }
@@ -105,7 +106,7 @@ fn check(scene: &Scene, tally: &mut Tally) {
             tally.coupled += usize::from(driven.plan().groups.iter().any(is_coupled));
             tally.pairs += 1;
             let places = places(&crank, start, [link, from]);
-            // In another order than they come along the motion.
+            // In another order than along the motion.
             let count = places.len();
             for k in 0..count {
                 let at = places[(k * 7 + 3) % count];
@@ -113,7 +114,7 @@ fn check(scene: &Scene, tally: &mut Tally) {
                 same(scene, (&crank, q), (&driven, turned), [link, from], reach);
                 tally.places += 1;
             }
-            // A load that goes by the driver's coordinate is another one here.
+            // A load that depends on the driver's coordinate would differ here.
             if !scene.text().lines().any(|line| line.starts_with("over ")) {
                 tally.forced += same_power(&opened, &driven, &scene.title());
             }
@@ -121,7 +122,8 @@ fn check(scene: &Scene, tally: &mut Tally) {
     }
 }
 
-/// Coordinates of the crank beside its start, and the angle between the links there, as far as that goes one way.
+/// Returns coordinates of the crank near its start with the angle between the links, as far as this
+/// angle is monotonic.
 fn places(crank: &Solver, start: f64, [link, from]: [LinkId; 2]) -> Vec<(f64, f64)> {
     let mut places = Vec::new();
     let opened = solved(crank, start).unwrap();
@@ -140,7 +142,7 @@ fn places(crank: &Solver, start: f64, [link, from]: [LinkId; 2]) -> Vec<(f64, f6
             last = turned;
         }
     }
-    // How many there are has no divisor in common with the stride.
+    // Makes the number of positions coprime to the stride.
     while places.len() > 1 && places.len().is_multiple_of(7) {
         places.pop();
     }
@@ -169,7 +171,7 @@ fn same(
     let (speed, acceleration) = (by_elbow.driver_speed(), by_elbow.driver_acceleration());
     for point in mechanism.point_ids() {
         let place = by_crank.position(point).unwrap();
-        // X' and X'' by the angle between the links.
+        // X' and X'' with respect to the angle between the links.
         let first = by_crank.velocity(point).unwrap() / omega;
         let second = (by_crank.acceleration(point).unwrap() - first * alpha) / (omega * omega);
         let found = by_elbow.position(point).unwrap();
@@ -200,7 +202,8 @@ fn same(
         );
     }
     if let Some(parts) = by_elbow.drive_parts() {
-        // What the joints hand back to the motor is what the virtual work of all that acts asks for.
+        // The motor's reaction from the joints equals the effort from the virtual work of all
+        // loads.
         let size: f64 = parts.iter().map(|part| part.abs()).sum();
         let miss = by_elbow.residual().unwrap();
         assert!(by_elbow.drive().is_some(), "{}: {miss:?}", what());
@@ -217,7 +220,7 @@ fn same(
     }
 }
 
-/// Where both have the same speed, they have the same power.
+/// At equal speeds, both have equal power.
 fn same_power(opened: &State, driven: &Solver, title: &str) -> usize {
     let state = solved(driven, driven.mechanism().driver().start).unwrap();
     let (Some(by_crank), Some(by_elbow)) = (opened.power(), state.power()) else {
@@ -239,7 +242,7 @@ fn same_power(opened: &State, driven: &Solver, title: &str) -> usize {
 }
 
 #[test]
-fn a_machine_driven_at_an_elbow_is_where_its_crank_has_it() {
+fn elbow_driven_machines_match_crank_driven_ones() {
     let mut tally = Tally::default();
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -263,9 +266,9 @@ fn a_machine_driven_at_an_elbow_is_where_its_crank_has_it() {
     );
 }
 
-/// The driver's seat is told, and the ground's is that of a crank.
+/// The driver's base link is known, and the ground is the base of a crank.
 #[test]
-fn the_seat_of_a_motor_is_told() {
+fn turned_from_returns_base_of_motor() {
     let scene = Scene::parse(ARM, "arm").unwrap();
     let m = &scene.mechanism;
     let [upper, fore] = [0, 1].map(|i| m.link_ids().nth(i).unwrap());
@@ -293,10 +296,10 @@ upper = { from = "O", to = "E", length = 2, com = [1, 0], mass = 3 }
 fore = { from = "E", to = "T", length = 1.5, com = [1.5, 0], mass = 2 }
 "#;
 
-/// The point of the arm is at 2 (q) + 1.5 (q + 3 q - 20); the elbow carries the moment of the mass at the point, the
-/// shoulder that and what the whole weighs.
+/// The tip of the arm is at 2 (q) + 1.5 (q + 3 q - 20). The elbow carries the moment of the mass at
+/// the tip; the shoulder additionally carries the weight of the whole arm.
 #[test]
-fn an_arm_of_two_motors_is_where_the_sum_of_two_arms_has_it() {
+fn two_motor_arm_matches_closed_form() {
     let scene = Scene::parse(ARM, "arm").unwrap();
     let m = &scene.mechanism;
     let solver = Solver::new(m).unwrap();
@@ -320,7 +323,7 @@ fn an_arm_of_two_motors_is_where_the_sum_of_two_arms_has_it() {
         }
         let of_tip = acceleration[0] + acceleration[1];
         assert!((state.acceleration(tip).unwrap() - of_tip).norm() < 1e-11);
-        // Euler about the elbow, and about the shoulder.
+        // Euler's equations about the elbow and about the shoulder.
         let weight = Vec2::new(0.0, 9.81);
         let at_tip = (of_tip + weight) * 2.0;
         let at_middle = (acceleration[0] * 0.5 + weight) * 3.0;
@@ -338,7 +341,7 @@ fn an_arm_of_two_motors_is_where_the_sum_of_two_arms_has_it() {
     }
 }
 
-/// A crank-rocker of 100, 300, 250 and 400, with a driver.
+/// Creates a crank-rocker of 100, 300, 250 and 400, with a driver.
 fn four_bar(driver: &str) -> Scene {
     let text = format!(
         "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\n{driver}\n[links]\n\
@@ -350,10 +353,11 @@ fn four_bar(driver: &str) -> Scene {
     Scene::parse(&text, "four-bar").unwrap()
 }
 
-/// The crank turns fully about the coupler as well. The angle at C is the transmission angle: it is at its ends where
-/// the crank lies along the frame, where 300^2 + 250^2 - 2 300 250 cos = (400 -+ 100)^2.
+/// The crank turns fully about the coupler as well. The angle at C is the transmission angle. Its
+/// extrema are where the crank lies along the frame: 300^2 + 250^2 - 2 300 250 cos = (400 -+
+/// 100)^2.
 #[test]
-fn a_wrist_goes_as_far_as_the_transmission_angle_and_an_elbow_at_the_crank_all_round() {
+fn elbow_at_crank_turns_fully_and_wrist_is_limited() {
     let round = four_bar("link = \"r3\"\nfrom = \"r2\"\nangle = -45");
     let solver = Solver::new(&round.mechanism).unwrap();
     assert_eq!(solver.motion().range, Range::Full { period: 360.0 });

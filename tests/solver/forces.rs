@@ -1,5 +1,6 @@
-//! Forces against the matrix methods of the textbooks, which share no code with the solver: every link cut
-//! free, three equations each, all solved at once; the motion by the closed formulas of the loop.
+//! Compares forces with the textbooks' matrix methods, which share no code with the solver: a free
+//! body for every link, three equations each, all solved together. The motion follows from closed
+//! formulas of the loop.
 //!
 //! R. L. Norton, Design of Machinery, chapter 11 (dynamic force analysis).
 
@@ -7,7 +8,7 @@ use krank::quantity::Catalogue;
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Order, Solver};
 
-/// A plain two-component vector, so that nothing of the program is used.
+/// A plain two-component vector, so that no code of the program is used.
 type V = [f64; 2];
 
 fn add(a: V, b: V) -> V {
@@ -22,7 +23,7 @@ fn polar(length: f64, angle: f64) -> V {
     [length * angle.cos(), length * angle.sin()]
 }
 
-/// A vector of this length at this angle that turns: its acceleration.
+/// Returns the acceleration of the end of a turning vector of this length at this angle.
 fn turning(length: f64, angle: f64, omega: f64, alpha: f64) -> V {
     let (sin, cos) = angle.sin_cos();
     [
@@ -31,7 +32,7 @@ fn turning(length: f64, angle: f64, omega: f64, alpha: f64) -> V {
     ]
 }
 
-/// Gauss' elimination with pivoting.
+/// Solves a linear system by Gaussian elimination with pivoting.
 fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     for k in 0..N {
         let pivot = (k..N).max_by(|&i, &j| a[i][k].abs().total_cmp(&a[j][k].abs()));
@@ -54,7 +55,8 @@ fn solve<const N: usize>(mut a: [[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
     b
 }
 
-/// A link in the plane: where its centre of mass is, how that and the link accelerate.
+/// A link in the plane: position and acceleration of its centre of mass, and its angular
+/// acceleration.
 #[derive(Clone, Copy)]
 struct Body {
     com: V,
@@ -67,7 +69,7 @@ struct Body {
 const GRAVITY: V = [0.3, -9.81];
 
 impl Body {
-    /// The right hand sides: m (a - g), and I alpha.
+    /// Returns the right-hand sides: m (a - g), and I alpha.
     fn needs(&self) -> [f64; 3] {
         [
             self.mass * (self.a[0] - GRAVITY[0]),
@@ -76,14 +78,14 @@ impl Body {
         ]
     }
 
-    /// The coefficients of the moment of a force at a place about the centre of mass.
+    /// Returns the coefficients of the moment about the centre of mass for a force at a position.
     fn moment(&self, at: V) -> V {
         let r = sub(at, self.com);
         [-r[1], r[0]]
     }
 }
 
-/// What a scene's figures are at an angle, by name.
+/// The quantities of a scene by name.
 struct Figures {
     catalogue: Catalogue,
     solver: Solver,
@@ -124,7 +126,7 @@ fn agree<const N: usize>(at: f64, names: [&str; N], got: [f64; N], want: [f64; N
     }
 }
 
-/// The four-bar of the lectures with masses, in a unit of which a millimetre has so many.
+/// Returns the lectures' four-bar with masses, in a unit of which a millimetre has `mm`.
 fn four_bar_in(unit: &str, mm: f64) -> String {
     let [d, r2, r3, r4] = [400.0, 100.0, 300.0, 250.0].map(|v| v * mm);
     let [g2, g3, g4] = [40.0, 150.0, 125.0].map(|v| v * mm);
@@ -157,12 +159,12 @@ torque = -35
     )
 }
 
-/// Nine equations: three links, the forces at A, B, C, D and the torque.
+/// Solves nine equations: three links, for the forces at A, B, C, D and the torque.
 fn four_bar(degrees: f64) -> [f64; 9] {
     let (r1, r2, r3, r4) = (0.4_f64, 0.1_f64, 0.3_f64, 0.25_f64);
     let (w2, a2) = (15.0, 7.0);
     let t2 = degrees.to_radians();
-    // The diagonal B-D and the cosine theorem.
+    // The diagonal B-D and the law of cosines.
     let b = polar(r2, t2);
     let d: V = [r1, 0.0];
     let bd = sub(d, b);
@@ -174,7 +176,7 @@ fn four_bar(degrees: f64) -> [f64; 9] {
     let t4 = dc[1].atan2(dc[0]);
     let w3 = r2 * w2 * (t4 - t2).sin() / (r3 * (t3 - t4).sin());
     let w4 = r2 * w2 * (t2 - t3).sin() / (r4 * (t4 - t3).sin());
-    // The accelerations of the loop, projected on r4 and on r3: each removes one unknown.
+    // The loop's accelerations, projected onto r4 and r3: each projection eliminates one unknown.
     let known = sub(
         sub(turning(r4, t4, w4, 0.0), turning(r3, t3, w3, 0.0)),
         turning(r2, t2, w2, a2),
@@ -206,7 +208,7 @@ fn four_bar(degrees: f64) -> [f64; 9] {
             inertia: 0.015,
         },
     ];
-    // Unknown: A on r2, B on r3 (so -B on r2), C on r4 (so -C on r3), D on r4, torque on r2.
+    // Unknowns: A on r2, B on r3 (so -B on r2), C on r4 (so -C on r3), D on r4, torque on r2.
     let mut matrix = [[0.0; 9]; 9];
     let mut right = [0.0; 9];
     let acts: [(usize, usize, V, f64); 6] = [
@@ -236,7 +238,7 @@ fn four_bar(degrees: f64) -> [f64; 9] {
 }
 
 #[test]
-fn the_four_bar_with_masses_as_by_the_matrix_method() {
+fn four_bar_forces_match_matrix_method() {
     const NAMES: [&str; 9] = [
         "r2.A.fx",
         "r2.A.fy",
@@ -281,7 +283,7 @@ point = "B"
 force = [-9000, 0]
 "#;
 
-/// Eight equations, and one for the moment that keeps the piston from turning.
+/// Solves eight equations, and one for the moment that keeps the piston from turning.
 fn slider_crank(degrees: f64) -> [f64; 9] {
     let (r, l, e) = (0.04_f64, 0.14_f64, 0.01_f64);
     let w = 3000.0 / 60.0 * std::f64::consts::TAU;
@@ -320,7 +322,8 @@ fn slider_crank(degrees: f64) -> [f64; 9] {
         "the piston stays in its bore"
     );
     let bodies = [crank, rod, piston];
-    // Unknown: O on the crank, A on the rod, B on the piston, the bore's force and moment, the torque.
+    // Unknowns: O on the crank, A on the rod, B on the piston, the bore's force and moment, the
+    // torque.
     let mut matrix = [[0.0; 9]; 9];
     let mut right = [0.0; 9];
     let acts: [(usize, usize, V, f64); 5] = [
@@ -344,14 +347,14 @@ fn slider_crank(degrees: f64) -> [f64; 9] {
     for (i, body) in bodies.iter().enumerate() {
         right[3 * i..3 * i + 3].copy_from_slice(&body.needs());
     }
-    // The gas acts on the pin; the rod's end is part of what it presses: on the piston here.
+    // The gas force acts on the pin, here applied to the piston.
     right[6] += 9000.0;
     right[8] -= piston.moment(b)[0] * -9000.0;
     solve(matrix, right)
 }
 
 #[test]
-fn the_slider_crank_with_masses_as_by_the_matrix_method() {
+fn slider_crank_forces_match_matrix_method() {
     const NAMES: [&str; 9] = [
         "crank.O.fx",
         "crank.O.fy",
@@ -366,14 +369,14 @@ fn the_slider_crank_with_masses_as_by_the_matrix_method() {
     let figures = Figures::of(ENGINE);
     for degrees in (0..360).step_by(5).map(f64::from) {
         let mut want = slider_crank(degrees);
-        // Of the piston on the rod.
+        // The force of the piston on the rod.
         (want[4], want[5]) = (-want[4], -want[5]);
         agree(degrees, NAMES, figures.at(degrees, NAMES), want);
     }
 }
 
 #[test]
-fn forces_do_not_depend_on_the_unit_of_lengths() {
+fn forces_do_not_depend_on_length_unit() {
     const NAMES: [&str; 4] = ["r3.B.fx", "r4.C.fy", "driver.torque", "ground.moment"];
     let mm = Figures::of(&four_bar_in("mm", 1.0));
     for (unit, per_mm) in [("cm", 0.1), ("m", 0.001)] {
@@ -394,7 +397,7 @@ fn forces_do_not_depend_on_the_unit_of_lengths() {
 }
 
 #[test]
-fn a_scene_on_which_nothing_acts_has_no_forces() {
+fn scene_without_loads_has_no_forces() {
     let preset = presets::find("four-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -406,14 +409,14 @@ fn a_scene_on_which_nothing_acts_has_no_forces() {
     assert_eq!(state.drive(), None);
 }
 
-/// A scene, its solver and a state.
+/// Opens a scene with its solver.
 fn opened(text: &str) -> (Scene, Solver) {
     let scene = Scene::parse(text, "test.toml").unwrap_or_else(|e| panic!("{e}"));
     let solver = Solver::new(&scene.mechanism).unwrap();
     (scene, solver)
 }
 
-/// The text of a preset with what acts on it.
+/// Returns the text of a preset with additional loads.
 fn with(preset: &str, replace: &[(&str, &str)], acts: &str) -> String {
     let mut text = presets::find(preset).unwrap().text.to_owned();
     for (from, to) in replace {
@@ -423,13 +426,13 @@ fn with(preset: &str, replace: &[(&str, &str)], acts: &str) -> String {
     text + acts
 }
 
-/// Kinetic energy, potential energy and what a force at a point has, in J and W.
+/// The stored energy, kinetic and potential, in J, and the power of a force at a point, in W.
 struct Energy {
     stored: f64,
     given: f64,
 }
 
-/// Of a mechanism with masses under its gravity, and one force at a point.
+/// Computes the energy of a mechanism with masses under its gravity, with one force at a point.
 fn energy(scene: &Scene, solver: &Solver, at: f64, point: &str, force: V) -> Energy {
     let mechanism = &scene.mechanism;
     let mut state = solver.state();
@@ -455,10 +458,11 @@ fn energy(scene: &Scene, solver: &Solver, at: f64, point: &str, force: V) -> Ene
     }
 }
 
-/// The motor's power is what the energy grows by, less what the load gives: by differences of energies,
-/// which know positions and velocities alone. A six-bar of dyads, and one whose four links are one group.
+/// The motor's power equals the energy's rate less the load's power, from differences of energies,
+/// which need only positions and velocities. Tested with six-bars of dyads and one whose four links
+/// form one group.
 #[test]
-fn the_motors_power_is_what_the_energy_grows_by() {
+fn motor_power_matches_energy_balance() {
     let masses = |link: &str, length: f64| {
         let [half, mass, inertia] = [0.4 * length, 0.01 * length, 1e-6 * length * length];
         format!("length = {length}, com = [{half}, 7], mass = {mass}, inertia = {inertia}{link}")
@@ -490,12 +494,12 @@ fn the_motors_power_is_what_the_energy_grows_by() {
             if solver.solve(at, Order::Force, &mut state) != Condition::Ok {
                 continue;
             }
-            // Degrees that take so many seconds.
+            // A step in degrees and its duration in seconds.
             let step = 0.05_f64;
             let seconds = step.to_radians() / speed;
             let of = |k: f64| energy(&scene, &solver, at + k * step, &last_point, [30.0, -40.0]);
             let slope = |k: f64| (of(k).stored - of(-k).stored) / (2.0 * k * seconds);
-            // Richardson's extrapolation: right to the fourth order.
+            // Richardson's extrapolation, of fourth order.
             let grown = (4.0 * slope(1.0) - slope(2.0)) / 3.0;
             let want = grown - of(0.0).given;
             let got = state.power().unwrap();
@@ -511,8 +515,8 @@ fn the_motors_power_is_what_the_energy_grows_by() {
 }
 
 #[test]
-fn at_a_dead_point_there_is_no_force_and_just_before_it_a_large_one() {
-    // Driven at its rocker, the four-bar comes to a limit where crank and coupler are in line.
+fn drive_diverges_towards_dead_point_and_is_none_there() {
+    // Driven at its rocker, the four-bar reaches a limit where crank and coupler are collinear.
     let text = with(
         "double-rocker",
         &[],
@@ -530,15 +534,15 @@ fn at_a_dead_point_there_is_no_force_and_just_before_it_a_large_one() {
     assert_eq!(drive(high, &mut state), (Condition::DeadPoint, None));
     let (_, near) = drive(high - 1e-3, &mut state);
     let (_, nearer) = drive(high - 1e-5, &mut state);
-    // The mechanical advantage falls off as the root of the distance.
+    // The mechanical advantage decreases with the root of the distance.
     let ratio = nearer.unwrap() / near.unwrap();
     assert!((ratio.abs() - 10.0).abs() < 0.1, "{ratio}");
 }
 
-/// At a change point the reactions are those of either assembly, or of none; what the driver must do
-/// follows from the virtual work, and from both sides it is the same.
+/// At a change point, the reactions depend on the assembly and are undefined. The driver's torque
+/// follows from virtual work and agrees from both sides.
 #[test]
-fn at_a_change_point_the_torque_exists_and_the_reactions_do_not() {
+fn change_point_has_torque_but_no_reactions() {
     let text = with(
         "parallelogram",
         &[],
@@ -566,10 +570,10 @@ fn at_a_change_point_the_torque_exists_and_the_reactions_do_not() {
     }
 }
 
-/// A load that a link's frame holds gives the same as one that turns with it in a table; and one that is
-/// taken away leaves nothing.
+/// A load in a link's frame equals a load in the ground frame rotated with it. A load scaled by a
+/// table vanishes where the table is zero.
 #[test]
-fn loads_turn_with_their_link_and_come_and_go() {
+fn loads_turn_with_their_frame_and_follow_their_table() {
     let fixed = |acts: &str| Figures::of(&with("four-bar", &[], acts));
     let turned = fixed("[[loads]]\npoint = \"C\"\nforce = [100, 0]\nframe = \"r2\"\n");
     for degrees in [0.0_f64, 30.0, 75.0, 200.0] {
@@ -598,9 +602,9 @@ fn loads_turn_with_their_link_and_come_and_go() {
     }
 }
 
-/// A spring between a ground point and the slider: its energy is what the crank puts in.
+/// A spring between a ground point and the slider: the crank supplies its energy.
 #[test]
-fn a_spring_pulls_as_it_is_stretched_and_a_damper_as_it_moves() {
+fn spring_and_damper_give_exact_driver_power() {
     let acts =
         "[[springs]]\nfrom = \"A\"\nto = \"C\"\nstiffness = 500\nlength = 15\ndamping = 40\n";
     let figures = Figures::of(&with("slider-crank", &[], acts));

@@ -1,8 +1,8 @@
 //! Inputs that follow the driver by a table.
 //!
-//! The curve through the knots is worked out anew here, by the slopes at the knots and Hermite's cubics, from a full
-//! matrix; positions are then held against closed forms, forces against the virtual work that differences of
-//! positions tell, bounds against twice the digits.
+//! The tests compute the curve through the knots independently, from the slopes at the knots with
+//! Hermite's cubics and a full matrix. They compare positions with closed forms, forces with the
+//! virtual work of position differences, and bounds with double-double values.
 
 use super::inputs::{Build, MACHINES, five_bar, growing_crank};
 use super::states::{at, solver};
@@ -12,7 +12,7 @@ use krank::{
 };
 use std::f64::consts::PI;
 
-/// A cubic spline by its slopes: 1/h0 m0 + 2 (1/h0 + 1/h1) m1 + 1/h1 m2 = 3 (d0/h0 + d1/h1).
+/// A cubic spline given by its slopes: 1/h0 m0 + 2 (1/h0 + 1/h1) m1 + 1/h1 m2 = 3 (d0/h0 + d1/h1).
 struct Curve {
     knots: Vec<[f64; 2]>,
     slopes: Vec<f64>,
@@ -50,7 +50,7 @@ impl Curve {
         }
     }
 
-    /// The value at a place of the table, and its first two derivatives.
+    /// Returns the value at a coordinate of the table, and its first two derivatives.
     fn at(&self, q: f64) -> [f64; 3] {
         let k = self.knots.iter().rposition(|knot| knot[0] <= q).unwrap();
         let k = k.min(self.knots.len() - 2);
@@ -72,7 +72,7 @@ impl Curve {
     }
 }
 
-/// By Gauss, with the largest pivot of each column.
+/// Solves by Gaussian elimination, with the largest pivot of each column.
 fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     let n = rows.len();
     for k in 0..n {
@@ -89,7 +89,7 @@ fn solved(mut rows: Vec<Vec<f64>>) -> Vec<f64> {
     (0..n).map(|k| rows[k][n] / rows[k][k]).collect()
 }
 
-/// Numbers from 0 to 1 that look random.
+/// Pseudo-random numbers from 0 to 1.
 struct Dice(u64);
 
 impl Dice {
@@ -102,7 +102,8 @@ impl Dice {
     }
 }
 
-/// Knots about a line, over a part of the motion that it leads to; typed with three decimals in the driver's coordinate.
+/// Returns knots around a line, over a part of its motion, rounded to five decimals in the driver's
+/// coordinate.
 fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f64; 2]> {
     let (m, line) = solver(build(InputLaw::Ratio { ratio, phase }).0);
     let start = m.driver().start;
@@ -135,7 +136,7 @@ fn about_line(build: Build, [ratio, phase]: [f64; 2], dice: &mut Dice) -> Vec<[f
         .collect()
 }
 
-/// Every machine with a table about its line.
+/// Returns every machine with a table around its line.
 fn machines() -> Vec<(Build, Vec<[f64; 2]>)> {
     let mut dice = Dice(7);
     let with = |(build, ratio, phase, _): (Build, f64, f64, _)| {
@@ -152,7 +153,7 @@ fn closed(knots: &[[f64; 2]]) -> InputLaw {
     InputLaw::Table(InputTable::closed(knots.to_vec()).unwrap())
 }
 
-/// Places in a table, knots and ends among them.
+/// Returns coordinates in a table, including knots and ends.
 fn places(knots: &[[f64; 2]]) -> Vec<f64> {
     let mut places: Vec<f64> = knots.iter().map(|knot| knot[0]).collect();
     let [low, high] = [places[0], places[places.len() - 1]];
@@ -160,7 +161,7 @@ fn places(knots: &[[f64; 2]]) -> Vec<f64> {
     places
 }
 
-/// The size of a radian, or of a length, in the unit of a coordinate.
+/// Returns the size of a radian, or of a length, in the unit of a coordinate.
 fn unit(input: Input) -> f64 {
     match input {
         Input::Turn(_) => 180.0 / PI,
@@ -168,7 +169,8 @@ fn unit(input: Input) -> f64 {
     }
 }
 
-/// Coordinate, first and second derivative over time of the further input, in its unit and in radians or lengths.
+/// Returns the coordinate of the further input in its unit, and its first and second time
+/// derivatives in radians or lengths.
 fn motion(state: &State, input: Input, near: f64) -> [f64; 3] {
     match input {
         Input::Turn(link) => {
@@ -188,7 +190,7 @@ fn motion(state: &State, input: Input, near: f64) -> [f64; 3] {
 
 /// dp/dt = p' q', d2p/dt2 = p' q'' + p'' q'^2.
 #[test]
-fn an_input_moves_by_its_table_and_its_derivatives() {
+fn input_follows_its_table_with_exact_derivatives() {
     for (build, knots) in machines() {
         let curve = Curve::new(&knots, false);
         let (m, s) = solver(build(open(&knots)).0);
@@ -229,10 +231,10 @@ fn an_input_moves_by_its_table_and_its_derivatives() {
     }
 }
 
-/// A rod out of a crank: its tip lies at (0.2, 0.1) + p (cos 15, sin 15) in the
-/// frame of the crank, that turns.
+/// A rod extending from a crank: its tip is at (0.2, 0.1) + p (cos 15, sin 15) in the frame of the
+/// turning crank.
 #[test]
-fn a_polar_arm_is_where_closed_forms_have_it() {
+fn polar_arm_matches_closed_form() {
     let knots = [[20.0, 0.4], [47.3, 0.61], [95.0, 0.32], [130.0, 0.37]];
     let curve = Curve::new(&knots, false);
     let (builder, _) = growing_crank(open(&knots));
@@ -267,9 +269,9 @@ fn a_polar_arm_is_where_closed_forms_have_it() {
     }
 }
 
-/// The cosine rule of `inputs`, the second crank by a closed table over two turns.
+/// The law of cosines of `inputs`, with the second crank driven by a closed table over two turns.
 #[test]
-fn a_five_bar_with_a_closed_table_goes_on_from_turn_to_turn() {
+fn five_bar_with_closed_table_repeats_smoothly() {
     let knots = [
         [-30.5, 110.25],
         [120.0, 60.0],
@@ -299,7 +301,7 @@ fn a_five_bar_with_a_closed_table_goes_on_from_turn_to_turn() {
         let state = at(&s, q);
         let off = (state.position(c).unwrap() - place(q)).norm();
         assert!(off < 1e-12, "{off:e} at {q}");
-        // From both sides: the curve goes on smoothly where it comes round.
+        // From both sides: the curve is smooth where the table repeats.
         let h = 1e-3;
         let [before, here, behind] = [-h, 0.0, h].map(|by| place(q + by));
         let (w, alpha) = (3.0, 7.0);
@@ -316,7 +318,7 @@ fn a_five_bar_with_a_closed_table_goes_on_from_turn_to_turn() {
 }
 
 #[test]
-fn the_motion_ends_where_an_open_table_ends() {
+fn motion_ends_where_open_table_ends() {
     let knots = [[20.0, 100.0], [60.0, 80.0], [150.5, 110.0]];
     let (m, s) = solver(five_bar(open(&knots)).0);
     assert_eq!(
@@ -342,7 +344,7 @@ fn the_motion_ends_where_an_open_table_ends() {
             Condition::NoAssembly
         );
     }
-    // It opens at 50, and a table stands where it was given: a turn away is outside.
+    // The scene opens at 50, and a table is not periodic: one turn away is outside.
     for knots in [
         [[60.0, 100.0], [150.0, 80.0]],
         [[380.0, 100.0], [500.0, 80.0]],
@@ -354,13 +356,13 @@ fn the_motion_ends_where_an_open_table_ends() {
             "{fault:?}"
         );
     }
-    // Values that do not come back, and a slide that is pushed as its driver.
+    // A closed table whose end values differ is rejected.
     let apart = [[0.0, 100.0], [360.0, 80.0]];
     assert!(five_bar(closed(&apart)).0.build().is_err());
 }
 
 #[test]
-fn bounds_hold_what_twice_the_digits_say_of_tables() {
+fn bounds_contain_double_double_values_of_tables() {
     for (build, knots) in machines() {
         let (m, s) = solver(build(open(&knots)).0);
         let (mut work, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
@@ -398,10 +400,10 @@ fn bounds_hold_what_twice_the_digits_say_of_tables() {
     }
 }
 
-/// As in `inputs`: what an input does is -F . dx/dp, by differences with its table lifted as a whole; the driver's own
-/// is the rest, with p' of the table.
+/// As in `inputs`: an input's effort is -F . dx/dp, by differences with its table shifted as a
+/// whole. The driver's own effort is the rest, with p' of the table.
 #[test]
-fn every_input_by_a_table_does_its_own_part_of_the_virtual_work() {
+fn table_input_efforts_match_virtual_work() {
     const FORCE: Vec2 = Vec2::new(30.0, -170.0);
     for (build, knots) in machines() {
         let curve = Curve::new(&knots, false);
@@ -443,9 +445,10 @@ fn every_input_by_a_table_does_its_own_part_of_the_virtual_work() {
     }
 }
 
-/// With masses: forces would be withheld if moments and forces on the frame did not come out; their bounds hold.
+/// With masses: forces would be withheld if moments and forces on the frame were not in balance.
+/// Their bounds hold.
 #[test]
-fn what_moves_by_tables_is_in_balance_with_the_frame() {
+fn table_driven_machines_balance_frame_forces() {
     for (build, knots) in machines() {
         let mut b = build(open(&knots)).0;
         b.gravity(Vec2::new(0.0, -9.81));
@@ -464,16 +467,16 @@ fn what_moves_by_tables_is_in_balance_with_the_frame() {
     }
 }
 
-/// Lanes would lie in different parts of a table: one by one then.
+/// Lanes would be in different parts of a table, so that states are solved one by one.
 #[test]
-fn lanes_leave_tables_to_single_states() {
+fn lanes_reject_tables() {
     let knots = [[20.0, 100.0], [60.0, 80.0], [150.5, 110.0]];
     let (_, s) = solver(five_bar(open(&knots)).0);
     let mut lanes = s.lanes();
     assert!(!s.solve_lanes([50.0; LANES], Order::Position, &mut lanes));
 }
 
-/// Two tables are one where their knots are.
+/// Tables are equal if their knots are equal.
 #[test]
 fn tables_are_compared_by_their_knots() {
     let (m, _) = solver(five_bar(open(&[[0.0, 110.0], [90.0, 80.0]])).0);

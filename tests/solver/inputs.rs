@@ -1,7 +1,8 @@
 //! Inputs that follow the driver: machines with two timed cranks or two cylinders.
 //!
-//! Positions are held against the mechanism itself and rates against differences, as in `states`; where each
-//! input is against p = ratio q + phase; forces against the virtual work that differences of positions tell.
+//! Positions are compared with the mechanism itself and rates with differences, as in `states`.
+//! Input coordinates are compared with p = ratio q + phase, and forces with the virtual work of
+//! position differences.
 
 use super::states::{at, check, kinds, push, solver, turn};
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Plan, Range, Solver};
@@ -12,7 +13,8 @@ use krank::{
 
 const GROUND: Body = Body::Ground;
 
-/// A way to build a mechanism whose further input follows by this law; the point that a force acts on.
+/// A function that builds a mechanism whose further input follows a law, and returns the loaded
+/// point.
 pub(super) type Build = fn(InputLaw) -> (Builder, PointId);
 
 fn line(ratio: f64, phase: f64) -> InputLaw {
@@ -23,7 +25,8 @@ fn follow(b: &mut Builder, input: Input, law: InputLaw) {
     b.timed(TimedInput { input, law });
 }
 
-/// Two cranks of lengths 1 and 0.8, their pivots 3 apart, and a dyad of 2.6 and 2.4 between their pins.
+/// Creates two cranks of lengths 1 and 0.8, with pivots 3 apart, and a dyad of 2.6 and 2.4 between
+/// their pins.
 pub(super) fn five_bar(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
@@ -38,7 +41,7 @@ pub(super) fn five_bar(law: InputLaw) -> (Builder, PointId) {
     (b, c)
 }
 
-/// A boom that one cylinder lifts, and an arm on it that another one swings.
+/// Creates a boom lifted by one cylinder, with an arm that another cylinder swings.
 fn excavator(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [o, g] = [(0.0, 0.0), (0.2, -0.1)].map(|(x, y)| b.ground_point(x, y));
@@ -56,7 +59,7 @@ fn excavator(law: InputLaw) -> (Builder, PointId) {
         b.carry(barrel, pivot, Vec2::ZERO);
         barrel
     });
-    // The second rod runs beside its pivot.
+    // The second rod is offset from its pivot.
     let lift = b.pin_in_slot(p, Body::Link(barrels[0]), Vec2::ZERO, 0.0);
     let swing = b.pin_in_slot(r, Body::Link(barrels[1]), Vec2::new(0.0, 0.02), 0.0);
     b.driver(push(lift, 0.5));
@@ -67,7 +70,7 @@ fn excavator(law: InputLaw) -> (Builder, PointId) {
     (b, tip)
 }
 
-/// A crank, and a block on the ground that is pushed as it turns.
+/// Creates a crank, and a block on the ground pushed as the crank turns.
 fn crank_and_block(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let o = b.ground_point(0.0, 0.0);
@@ -82,7 +85,7 @@ fn crank_and_block(law: InputLaw) -> (Builder, PointId) {
     (b, c)
 }
 
-/// A block that is pushed, and a crank that turns with it.
+/// Creates a pushed block, and a crank that turns with it.
 fn block_and_crank(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let o = b.ground_point(0.0, 0.0);
@@ -97,7 +100,7 @@ fn block_and_crank(law: InputLaw) -> (Builder, PointId) {
     (b, c)
 }
 
-/// A crank with a rod that comes out of it as it turns.
+/// Creates a crank with a rod that extends as the crank turns.
 pub(super) fn growing_crank(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [o, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
@@ -112,7 +115,8 @@ pub(super) fn growing_crank(law: InputLaw) -> (Builder, PointId) {
     (b, c)
 }
 
-/// A triangle on three bars, from two timed cranks and from the ground: four links at once.
+/// Creates a triangle on three bars, from two timed cranks and from the ground: four links in one
+/// group.
 fn triad(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e, g] = [(0.0, 0.0), (4.0, 0.0), (2.0, 5.0)].map(|(x, y)| b.ground_point(x, y));
@@ -134,7 +138,7 @@ fn triad(law: InputLaw) -> (Builder, PointId) {
     (b, r)
 }
 
-/// Five bars of which one is turned, and a cylinder inside the loop that they close.
+/// Creates five bars, one of them turned, with a cylinder inside the loop.
 fn strutted(law: InputLaw) -> (Builder, PointId) {
     let mut b = Builder::default();
     let [a, e] = [(0.0, 0.0), (3.0, 0.0)].map(|(x, y)| b.ground_point(x, y));
@@ -157,7 +161,7 @@ fn strutted(law: InputLaw) -> (Builder, PointId) {
     (b, c)
 }
 
-/// Each with a ratio and a phase, and what follows the driver's group.
+/// Machines with a ratio, a phase, and the kinds of the groups after the driver's.
 pub(super) const MACHINES: [(Build, f64, f64, &[GroupKind]); 8] = [
     (five_bar, 1.0, 30.0, &[GroupKind::Rrr]),
     (five_bar, -2.0, 110.0, &[GroupKind::Rrr]),
@@ -172,7 +176,7 @@ pub(super) const MACHINES: [(Build, f64, f64, &[GroupKind]); 8] = [
 pub(super) fn range(solver: &Solver) -> (f64, f64) {
     match solver.motion().range {
         Range::Full { period } => (0.0, period),
-        // Far enough for anybody.
+        // A sufficient part of the range.
         Range::Limited { low, high } => (low.max(-400.0), high.min(400.0)),
     }
 }
@@ -184,7 +188,7 @@ pub(super) fn places(solver: &Solver) -> Vec<f64> {
 }
 
 #[test]
-fn behind_timed_inputs_every_group_is_solved_with_its_rates() {
+fn groups_behind_timed_inputs_have_exact_rates() {
     for (number, (build, ratio, phase, expected)) in MACHINES.into_iter().enumerate() {
         let (m, s) = solver(build(line(ratio, phase)).0);
         let is_same = |(seen, expected): (&GroupKind, &GroupKind)| match expected {
@@ -201,7 +205,7 @@ fn behind_timed_inputs_every_group_is_solved_with_its_rates() {
 
 /// p = ratio q + phase, p' = ratio q' and p'' = ratio q'', each in its own unit.
 #[test]
-fn a_timed_input_is_where_its_ratio_and_its_phase_put_it() {
+fn timed_input_follows_ratio_and_phase() {
     for (build, ratio, phase, _) in MACHINES {
         let (m, s) = solver(build(line(ratio, phase)).0);
         let driver = *m.driver();
@@ -238,10 +242,10 @@ fn a_timed_input_is_where_its_ratio_and_its_phase_put_it() {
     }
 }
 
-/// The five-bar by the cosine rule: with d from pin to pin, C lies x = (d^2 + 2.6^2 - 2.4^2) / 2 d along it and
-/// sqrt(2.6^2 - x^2) to its left.
+/// The five-bar by the law of cosines: with d from pin to pin, C is x = (d^2 + 2.6^2 - 2.4^2) / 2 d
+/// along it and sqrt(2.6^2 - x^2) to its left.
 #[test]
-fn a_five_bar_with_two_timed_cranks_is_where_the_cosine_rule_has_it() {
+fn five_bar_with_two_timed_cranks_matches_law_of_cosines() {
     let (builder, c) = five_bar(line(-2.0, 110.0));
     let (_, s) = solver(builder);
     for q in places(&s) {
@@ -260,9 +264,9 @@ fn a_five_bar_with_two_timed_cranks_is_where_the_cosine_rule_has_it() {
     }
 }
 
-/// The motion repeats when every crank is where it was.
+/// The motion repeats when every crank has its initial position.
 #[test]
-fn the_period_is_that_of_all_cranks_together() {
+fn period_is_common_period_of_all_cranks() {
     let period = |ratio: f64| match solver(five_bar(line(ratio, 30.0)).0).1.motion().range {
         Range::Full { period } => period,
         Range::Limited { low, high } => low - high,
@@ -277,7 +281,7 @@ fn the_period_is_that_of_all_cranks_together() {
     ] {
         assert_eq!(period(ratio), expected, "{ratio}");
     }
-    // Followed so far, it ends nowhere.
+    // Within the followed part, the motion does not end.
     let (_, s) = solver(five_bar(line(0.712_345, 30.0)).0);
     let Range::Limited { low, high } = s.motion().range else {
         panic!("{:?}", s.motion().range);
@@ -287,7 +291,7 @@ fn the_period_is_that_of_all_cranks_together() {
 }
 
 #[test]
-fn states_do_not_depend_on_what_was_solved_before_and_lanes_have_the_same_bits() {
+fn states_do_not_depend_on_history_and_match_lanes() {
     for (build, ratio, phase, _) in MACHINES {
         let (m, s) = solver(build(line(ratio, phase)).0);
         let places = places(&s);
@@ -335,7 +339,7 @@ fn states_do_not_depend_on_what_was_solved_before_and_lanes_have_the_same_bits()
 }
 
 #[test]
-fn bounds_hold_what_twice_the_digits_say() {
+fn bounds_contain_double_double_values() {
     for (build, ratio, phase, _) in MACHINES {
         let (m, s) = solver(build(line(ratio, phase)).0);
         let (mut work, mut balls, mut truth) = (s.state(), s.enclosure(), s.twice());
@@ -362,9 +366,10 @@ fn bounds_hold_what_twice_the_digits_say() {
     }
 }
 
-/// What a length does to the loaded point, against the same mechanism with that length a little longer and shorter.
+/// Compares the derivatives of the loaded point by a length with the same mechanism with that
+/// length slightly longer and shorter.
 #[test]
-fn derivatives_by_lengths_are_those_of_differences() {
+fn length_derivatives_match_difference_quotients() {
     const BY: f64 = 1e-6;
     for (build, ratio, phase, _) in MACHINES {
         let (builder, point) = build(line(ratio, phase));
@@ -403,17 +408,18 @@ fn derivatives_by_lengths_are_those_of_differences() {
     }
 }
 
-/// The place of the loaded point at a coordinate, with the further input so much ahead.
+/// Returns the position of the loaded point at a coordinate, with the further input advanced by
+/// `ahead`.
 fn place(build: Build, (ratio, phase): (f64, f64), ahead: f64, q: f64) -> Vec2 {
     let (builder, point) = build(line(ratio, phase + ahead));
     let (_, s) = solver(builder);
     at(&s, q).position(point).unwrap()
 }
 
-/// The effort of an input is -F . dx/dp, p its own coordinate in radians or lengths: by differences. The driver's
-/// own is what is left of the whole: -F . dx/dq less p' times that.
+/// The effort of an input is -F . dx/dp, with p its own coordinate in radians or lengths, by
+/// differences. The driver's own effort is the rest: -F . dx/dq less p' times that.
 #[test]
-fn every_input_does_its_own_part_of_the_virtual_work() {
+fn input_efforts_match_virtual_work() {
     const FORCE: Vec2 = Vec2::new(30.0, -170.0);
     for (build, ratio, phase, _) in MACHINES {
         let (mut builder, point) = build(line(ratio, phase));
@@ -435,7 +441,7 @@ fn every_input_does_its_own_part_of_the_virtual_work() {
             let q = low + (high - low) * k;
             assert_eq!(s.solve(q, Order::Force, &mut work), Condition::Ok);
             assert_eq!(work.withheld(), None);
-            // As small a part of each coordinate.
+            // An equally small step of each coordinate.
             let (dq, dp) = (1e-5 * unit(driver.input), 1e-5 * unit(timed.input));
             let along = |by: f64, dq: f64| place(build, (ratio, phase), by, q + dq);
             let whole = -FORCE.dot(along(0.0, dq) - along(0.0, -dq)) / 2e-5;
@@ -457,9 +463,10 @@ fn every_input_does_its_own_part_of_the_virtual_work() {
     }
 }
 
-/// With masses as well: the moments and forces on the frame come out, or the forces would be withheld.
+/// With masses as well: moments and forces on the frame are in balance, or the forces would be
+/// withheld.
 #[test]
-fn what_moves_with_timed_inputs_is_in_balance_with_the_frame() {
+fn timed_input_machines_balance_frame_forces() {
     for (build, ratio, phase, _) in MACHINES {
         let (mut b, point) = build(line(ratio, phase));
         b.gravity(Vec2::new(0.0, -9.81));
@@ -490,8 +497,8 @@ fn refused(m: &Mechanism) -> Fault {
 }
 
 #[test]
-fn inputs_are_as_many_as_there_are_degrees_of_freedom() {
-    // A five-bar without its second input.
+fn number_of_inputs_must_match_mobility() {
+    // A five-bar with both of its inputs has mobility 2.
     let (with, _) = five_bar(line(1.0, 30.0));
     assert_eq!(Plan::of(&with.build().unwrap()).unwrap().mobility, 2);
     // A four-bar whose rocker is driven as well.
@@ -505,7 +512,7 @@ fn inputs_are_as_many_as_there_are_degrees_of_freedom() {
     follow(&mut b, Input::Turn(rocker), line(1.0, 30.0));
     let fault = refused(&b.build().unwrap());
     assert!(matches!(fault, Fault::OverConstrained { .. }), "{fault:?}");
-    // The driver once more, and the other input.
+    // A second law for the driver, or for the other input.
     let (b, _) = crank_and_block(line(0.004, 0.2));
     let driven: Vec<Input> = b.clone().build().unwrap().inputs().collect();
     assert_eq!(driven.len(), 2);

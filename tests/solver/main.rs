@@ -1,5 +1,5 @@
-//! What is solved, against closed forms, values to 25 digits and arithmetic of twice the digits: positions,
-//! rates, assemblies, forces, bounds, and how they depend on lengths.
+//! Compares the solver with closed forms, values to 25 digits and double-double arithmetic:
+//! positions, rates, assemblies, forces, bounds, and their dependence on lengths.
 
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 

@@ -1,4 +1,4 @@
-//! Points of links that are given by length and angle, against values worked out to 50 digits.
+//! Points of links given by length and angle, compared with values to 50 digits.
 
 use crate::exact::DoubleDouble;
 use krank::quantity::{Aspect, Subject, bound, value};
@@ -6,7 +6,8 @@ use krank::scene::Scene;
 use krank::solver::{Condition, Order, Solver};
 use krank::{LinkId, PointId, Vec2};
 
-/// F is seen from E, which stands behind it, and the centre of mass from E too; nothing here is a double.
+/// F is relative to E, which is defined after it, and so is the centre of mass. No number here is
+/// exactly representable as a double.
 pub(crate) const SIGHTED: &str = r#"
 unit = "mm"
 [ground]
@@ -30,7 +31,7 @@ mass = 1
 C = [310, 230]
 "#;
 
-/// From the cosine theorem with mpmath at 50 digits, every number as the decimal that is typed.
+/// Computed by the law of cosines with mpmath at 50 digits, every number as its typed decimal.
 const PLACES: [(f64, &str, [&str; 2]); 6] = [
     (
         60.0,
@@ -92,9 +93,10 @@ fn coupler(scene: &Scene) -> LinkId {
     ids.find(|&id| scene.link_name(id) == "r3").unwrap()
 }
 
-/// What was typed is what is meant: the bounds hold for the decimals, and are as small as those of coordinates.
+/// The typed values count: the bounds hold for the decimals, and are as small as those of
+/// coordinates.
 #[test]
-fn places_by_length_and_angle_are_within_bounds_of_what_was_typed() {
+fn polar_points_are_within_bounds_of_typed_values() {
     let scene = Scene::parse(SIGHTED, "sighted").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let (mut work, mut enclosure) = (solver.state(), solver.enclosure());
@@ -116,9 +118,9 @@ fn places_by_length_and_angle_are_within_bounds_of_what_was_typed() {
     }
 }
 
-/// What one of the numbers does to all places, against the mechanism with another number.
+/// Compares the derivative of all positions by one number with the mechanism with another number.
 #[test]
-fn what_is_seen_from_a_point_goes_with_it() {
+fn points_relative_to_a_point_move_with_it() {
     let scene = Scene::parse(SIGHTED, "sighted").unwrap();
     let mechanism = &scene.mechanism;
     let link = coupler(&scene);
@@ -155,9 +157,9 @@ fn what_is_seen_from_a_point_goes_with_it() {
     }
 }
 
-/// A point that is seen from one that the link does not carry is nowhere.
+/// A point relative to one that the link does not carry yet has no coordinates.
 #[test]
-fn a_point_that_is_seen_from_nowhere_is_refused() {
+fn point_relative_to_point_not_yet_carried_is_rejected() {
     let mut builder = krank::Builder::default();
     let (a, b) = (builder.ground_point(0.0, 0.0), builder.moving_point());
     let link = builder.link(a, b, 1.0);

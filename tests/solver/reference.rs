@@ -1,4 +1,4 @@
-//! The solver against values to 25 digits: every row of every file of `tests/reference/`.
+//! Compares the solver with values to 25 digits: every row of every file of `tests/reference/`.
 //!
 //! `cargo test --test solver reference -- --nocapture` prints the largest errors found.
 
@@ -21,9 +21,9 @@ const RATE_LIMIT: f64 = 200.0;
 /// One reference file.
 struct Case {
     name: &'static str,
-    /// How many times the limits above it may use.
+    /// Factor on the limits above.
     slack: f64,
-    /// Links of the file that the scene has no body for: the blocks of its pins in slots.
+    /// Links of the file without a body in the scene: the blocks of its pins in slots.
     absent: &'static [&'static str],
 }
 
@@ -37,7 +37,7 @@ const CASES: [Case; 11] = [
     case("b4c_scotch_yoke", 1.0, &["3"]),
     case("b4d_watt2", 1.0, &[]),
     case("b4e_stephenson3_triad", 1.0, &[]),
-    // Eight links in series, at a condition of 92.
+    // Eight links in series, at a condition number of 92.
     case("b4f_jansen", 10.0, &[]),
     case("b5_cylinder_boom", 1.0, &[]),
 ];
@@ -50,7 +50,7 @@ const fn case(name: &'static str, slack: f64, absent: &'static [&'static str]) -
     }
 }
 
-/// What a column is measured against, and in which unit.
+/// The kind of a column: it determines scale and unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Kind {
     Position,
@@ -91,7 +91,7 @@ impl Kind {
     }
 }
 
-/// Whose value a column holds.
+/// The element whose value a column has.
 #[derive(Clone, Copy, Debug)]
 enum Subject {
     Point(PointId),
@@ -107,7 +107,7 @@ struct Column {
 }
 
 impl Column {
-    /// The error of the state in this column, in the column's own unit.
+    /// Returns the error of the state in this column, in the column's own unit.
     fn error(&self, exact: DoubleDouble, state: &State) -> f64 {
         match self.subject {
             Subject::Point(point) => {
@@ -129,7 +129,7 @@ impl Column {
 }
 
 impl Column {
-    /// The bound that krank gives for what [`Column::error`] measures, in the same unit.
+    /// Returns krank's bound for the error of [`Column::error`], in the same unit.
     fn bound(&self, state: &State, enclosure: &State<Ball>) -> Option<f64> {
         let along_x = self.name.ends_with('x');
         let aspect = match (self.kind, along_x) {
@@ -155,7 +155,8 @@ impl Column {
     }
 }
 
-/// An angle in degrees as it is shown, against one in rad that counts full turns.
+/// Returns the difference between a reference angle in rad, which counts full turns, and a shown
+/// angle in degrees.
 fn angle_error(exact: DoubleDouble, shown: f64) -> f64 {
     let shown = DoubleDouble::from(shown) * PI / DoubleDouble::from(180.0);
     let turn = PI * DoubleDouble::from(2.0);
@@ -188,7 +189,7 @@ fn link(scene: &Scene, name: &str) -> Option<LinkId> {
     ids.find(|&id| scene.link_name(id) == name)
 }
 
-/// The longest link: the largest distance between two points of one.
+/// Returns the length of the longest link: the largest distance between two points of one.
 fn longest_link(mechanism: &Mechanism) -> f64 {
     let distances = mechanism.link_ids().flat_map(|id| {
         let members = &mechanism.link(id).members;
@@ -258,10 +259,10 @@ impl Table {
     }
 }
 
-/// The worst that was met of one kind.
+/// The largest error of one kind.
 #[derive(Clone, Debug, Default)]
 struct Worst {
-    /// In units of rounding of what the kind is measured against.
+    /// The error in units of rounding, relative to the kind's scale.
     error: f64,
     place: String,
 }
@@ -286,7 +287,7 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
             let error = column.error(row[column.index], &state).abs();
             let place = format!("{}: {} at {at}", case.name, column.name);
             let bound = column.bound(&state, &enclosure).expect(&place);
-            // The references themselves are right to 25 digits.
+            // The references themselves are correct to 25 digits.
             let known = bound + 1e-24 * row[column.index].hi.abs().max(1.0);
             assert!(error <= known, "{place}: off by {error:e}, bound {bound:e}");
             let error = if error == 0.0 {
@@ -295,7 +296,7 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
                 error / (U * scale)
             };
             let so_far = worst.entry(column.kind).or_default();
-            // NaN counts as the worst of all.
+            // NaN counts as the largest error.
             if error.is_nan() || error > so_far.error {
                 so_far.error = error;
                 so_far.place = format!("{} at {at}", column.name);
@@ -307,7 +308,7 @@ fn measure(case: &Case) -> BTreeMap<Kind, Worst> {
 
 #[test]
 #[expect(clippy::print_stdout, reason = "the measured maxima are to be read")]
-fn every_row_of_every_reference_file_is_met() {
+fn every_row_of_every_reference_file_is_reproduced() {
     let mut report = String::new();
     let _ = writeln!(
         report,
@@ -339,8 +340,8 @@ fn every_row_of_every_reference_file_is_met() {
 }
 
 #[test]
-fn decimals_are_read_beyond_a_double() {
-    // 1/3 in 25 digits less the double 1/3 is 1.85e-17.
+fn decimals_are_parsed_to_double_double() {
+    // 1/3 to 25 digits less the double 1/3 is 1.85e-17.
     let third = DoubleDouble::parse("0.3333333333333333333333333").expect("a decimal");
     let rest = third.minus(1.0 / 3.0);
     assert!((rest - 1.850_371_707_708_594e-17).abs() < 1e-25, "{rest:e}");
@@ -350,14 +351,14 @@ fn decimals_are_read_beyond_a_double() {
     assert!((pi - PI).minus(0.0).abs() < 1e-24);
 }
 
-/// A value of the lectures: what it is called there, what krank has, and what it is measured against.
+/// A value of the lectures: its key there, krank's value, and its scale.
 struct Check<'a> {
     key: &'a str,
     found: f64,
     unit: f64,
 }
 
-/// Compares with `lecture_values.json`; `path` leads to the object that has the keys.
+/// Compares with `lecture_values.json`; `path` leads to the object with the keys.
 fn check_lecture(path: &[&str], checks: &[Check<'_>]) {
     let json: serde_json::Value = serde_json::from_str(&data("lecture_values.json")).expect("JSON");
     let object = path.iter().fold(&json, |value, key| &value[*key]);
@@ -375,7 +376,7 @@ fn check_lecture(path: &[&str], checks: &[Check<'_>]) {
     }
 }
 
-/// The motion of a point, with what each is measured against: length, speed and acceleration.
+/// Returns the checks of a point's motion, with their scales: length, speed and acceleration.
 fn point_checks(state: &State, point: PointId, units: [f64; 3]) -> Vec<Check<'static>> {
     let (p, v, a) = (
         state.position(point).unwrap(),
@@ -400,7 +401,8 @@ fn point_checks(state: &State, point: PointId, units: [f64; 3]) -> Vec<Check<'st
     ]
 }
 
-/// `theta3_rad`, `omega3` and `alpha3` of a link, whose rates are measured against `omega` and `alpha`.
+/// Returns the checks of `theta3_rad`, `omega3` and `alpha3` of a link, with `omega` and `alpha` as
+/// scales of the rates.
 fn link_checks(
     state: &State,
     link: LinkId,
@@ -420,7 +422,7 @@ fn link_checks(
 }
 
 #[test]
-fn the_lecture_on_the_four_bar_is_met() {
+fn lecture_values_of_four_bar_are_reproduced() {
     let (scene, solver) = open("b1_fourbar");
     let mut state = solver.state();
     let _ = solver.solve(60.0, Order::Acceleration, &mut state);
@@ -448,7 +450,7 @@ fn the_lecture_on_the_four_bar_is_met() {
 }
 
 #[test]
-fn the_lecture_on_the_slider_crank_is_met() {
+fn lecture_values_of_slider_crank_are_reproduced() {
     let (scene, solver) = open("b2_slidercrank");
     let mut state = solver.state();
     let _ = solver.solve(30.0, Order::Acceleration, &mut state);
@@ -476,7 +478,7 @@ fn the_lecture_on_the_slider_crank_is_met() {
     }
 }
 
-/// Hard case H17: three parallel cranks have one constraint too many, which agrees.
+/// Hard case H17: three parallel cranks have one redundant constraint, which is consistent.
 #[test]
 fn h17_three_parallel_cranks_move() {
     let (scene, solver) = open("c_triple_parallelogram");

@@ -1,4 +1,4 @@
-//! The derivatives of figures by the given lengths, against closed forms derived here.
+//! The derivatives of quantities by the given lengths, compared with closed forms derived here.
 
 use krank::quantity::{Catalogue, Derivatives, Quantity, Sensitivity};
 use krank::scene::{Scene, presets};
@@ -28,7 +28,7 @@ impl Probe {
         Probe::of(presets::find(name).unwrap().text)
     }
 
-    /// d(figure)/d(length).
+    /// Returns d(figure)/d(length).
     fn derivative(&self, found: &Derivatives, figure: &str, length: &str) -> f64 {
         let figure = self.names.iter().position(|n| n == figure).unwrap();
         let lengths = self.sensitivity.lengths();
@@ -63,11 +63,11 @@ C = [{:?}, {:?}]
     )
 }
 
-/// A pose with its lengths: the joints are drawn, the lengths follow.
+/// A pose with its lengths: angles are drawn, and the lengths follow.
 #[derive(Clone, Copy, Debug)]
 struct Pose {
     lengths: [f64; 4],
-    /// In radians.
+    /// The angles of crank, coupler and rocker, in radians.
     angles: [f64; 3],
 }
 
@@ -84,14 +84,14 @@ impl Pose {
     }
 }
 
-/// Crank, coupler and rocker from their angles and two lengths; leaning towards poses where coupler and
-/// rocker all but lie in line.
+/// Draws crank, coupler and rocker by their angles and lengths, with a preference for poses where
+/// coupler and rocker are nearly collinear.
 fn poses() -> impl Strategy<Value = Pose> {
     let lean = prop_oneof![3 => Just(1.0), 1 => Just(1e-2), 1 => Just(1e-3), 1 => Just(1e-4)];
     let angles = (0.3..2.8, -3.0..3.0, 0.2..1.5, lean, any::<bool>());
     (0.2..1.0, 0.5..2.0, 0.5..2.0, angles).prop_map(|(a, b, c, (t2, t3, mu, lean, left))| {
         let t4: f64 = t3 + mu * lean * if left { 1.0 } else { -1.0 };
-        // D lies where the chain ends, turned so that A and D are level.
+        // D is at the end of the chain, rotated such that A and D are level.
         let at = |t: f64, r: f64| (r * t.cos(), r * t.sin());
         let ((ax, ay), (bx, by), (cx, cy)) = (at(t2, a), at(t3, b), at(t4, c));
         let (dx, dy) = (ax + bx - cx, ay + by - cy);
@@ -103,7 +103,8 @@ fn poses() -> impl Strategy<Value = Pose> {
     })
 }
 
-/// From the loop r2 + r3 = r1 + r4 at a fixed crank angle: with e the links' directions,
+/// Computes the derivatives from the loop r2 + r3 = r1 + r4 at a fixed crank angle. With e the
+/// links' directions,
 /// ```text
 /// d(theta4) = (dr3 + dr2 e2.e3 - dr4 e4.e3 - dr1 e1.e3) / (r4 sin(theta3 - theta4))
 /// d(theta3) = (dr4 - dr2 e2.e4 - dr3 e3.e4 + dr1 e1.e4) / (r3 sin(theta4 - theta3))
@@ -116,7 +117,7 @@ fn exact([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3], by: usize) -> [f64; 2] 
     let d4 = (dr3 + dr2 * (t2 - t3).cos() - dr4 * (t4 - t3).cos() - dr1 * t3.cos()) / (c * sine);
     let d3 = (dr4 - dr2 * (t2 - t4).cos() - dr3 * (t3 - t4).cos() + dr1 * t4.cos()) / (-b * sine);
     let omega4 = 3.0 * a * (t3 - t2).sin() / (c * sine);
-    // d(sin(t3 - t2)) over it is written out: the sine may be zero.
+    // d(sin(t3 - t2)) is not divided by the sine, which may be zero.
     let along = 3.0 * a * (t3 - t2).cos() * d3 / (c * sine);
     let rest = dr2 / a - dr4 / c - (d3 - d4) * (t3 - t4).cos() / sine;
     [d4.to_degrees(), along + omega4 * rest]
@@ -125,13 +126,14 @@ fn exact([a, b, c, _]: [f64; 4], [t2, t3, t4]: [f64; 3], by: usize) -> [f64; 2] 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() })]
 
-    /// Over random poses and near-singular ones every derivative is right to rounding: to 64 u / sin^2(mu) of
-    /// the largest of its kind, with what the closed form here loses of its own angles.
+    /// Over random and near-singular poses, every derivative is correct to rounding: to 64 u /
+    /// sin^2(mu) of the largest of its kind, including the rounding of the angles in this closed
+    /// form.
     #[test]
-    fn four_bars_follow_the_closed_form(pose in poses()) {
+    fn four_bar_derivatives_match_closed_form(pose in poses()) {
         prop_assume!(pose.lengths[3] > 0.1);
         let Ok(scene) = Scene::parse(&pose.four_bar(), "test") else { return Ok(()) };
-        // Within rounding of a change point a pose may not open.
+        // Within rounding of a change point, a pose may not open.
         prop_assume!(Solver::new(&scene.mechanism).is_ok());
         let mut probe = Probe::of(&pose.four_bar());
         let found = probe.sensitivity.at(pose.angles[0].to_degrees());
@@ -150,10 +152,10 @@ proptest! {
     }
 }
 
-/// x = r cos(phi) + s with s = sqrt(l^2 - r^2 sin^2(phi)); s' = -r^2 sin cos / s and
-/// s'' = -(r^2 cos(2 phi) + s'^2) / s by phi, and once more by l.
+/// x = r cos(phi) + s with s = sqrt(l^2 - r^2 sin^2(phi)); s' = -r^2 sin cos / s and s'' = -(r^2
+/// cos(2 phi) + s'^2) / s by phi, and once more by l.
 #[test]
-fn a_slider_crank_follows_its_closed_form_to_accelerations() {
+fn slider_crank_derivatives_match_closed_form() {
     let mut probe = Probe::preset("slider-crank");
     let (r, l, omega) = (10.0_f64, 20.0_f64, 200.0);
     let mut worst = [0.0_f64; 3];
@@ -180,14 +182,14 @@ fn a_slider_crank_follows_its_closed_form_to_accelerations() {
 }
 
 #[test]
-fn what_the_lengths_do_to_plain_figures_is_plain() {
+fn simple_length_derivatives_are_exact() {
     let mut yoke = Probe::preset("scotch-yoke");
     let found = yoke.sensitivity.at(60.0).unwrap();
     // x = r cos(60 deg), at 10 rad/s.
     assert!((yoke.derivative(&found, "r4.length", "r2.length") - 0.5).abs() < 1e-12);
     assert!((yoke.derivative(&found, "r4.accel", "r2.length") + 50.0).abs() < 1e-9);
     assert_eq!(yoke.derivative(&found, "yoke.omega", "r2.length"), 0.0);
-    // The guide runs through A, by name: where A lies the yoke follows, and r counts from A.
+    // The guide passes through A by name: the yoke moves with A, and r counts from A.
     assert!((yoke.derivative(&found, "Y.x", "A.x") - 1.0).abs() < 1e-12);
     assert_eq!(yoke.derivative(&found, "r4.length", "A.x"), 0.0);
 
@@ -197,27 +199,27 @@ fn what_the_lengths_do_to_plain_figures_is_plain() {
         let d = bar.derivative(&found, figure, length);
         assert!((d - wanted).abs() < 1e-10, "{figure} by {length}: {d}");
     };
-    // A centre of mass goes along with its coordinate, and nothing else does.
+    // A centre of mass moves with its coordinate; other points do not.
     let [cos, sin] = ["r4.com.x", "r4.com.y"].map(|l| bar.derivative(&found, "r4.com.x", l));
     assert!((cos * cos + sin * sin - 1.0).abs() < 1e-11);
     assert!((sin.atan2(cos).to_degrees() - (360.0 - 290.753)).abs() < 1e-3);
     assert_eq!(bar.derivative(&found, "C.x", "r4.com.x"), 0.0);
     near("B.x", "r2.length", 0.5);
     near("r1.length", "D.x", 1.0);
-    // A ground that is moved as a whole moves every point and turns no link.
+    // A translation of the whole ground moves every point and turns no link.
     let both =
         |figure| bar.derivative(&found, figure, "A.x") + bar.derivative(&found, figure, "D.x");
     assert!((both("C.x") - 1.0).abs() < 1e-10 && both("r4.omega").abs() < 1e-10);
 }
 
-/// At an end, at a change point and where a length would jam there is no derivative, and nothing is made up.
+/// At an end, at a change point, and where a length would jam, there are no derivatives.
 #[test]
-fn where_there_is_none_none_is_made_up() {
-    // A change point lies at 0 deg; a parallelogram with other lengths does not reach it.
+fn no_derivatives_at_singularities_or_limits() {
+    // A change point is at 0 deg; a parallelogram with other lengths does not reach it.
     let mut parallelogram = Probe::preset("parallelogram");
     assert!(parallelogram.sensitivity.at(0.0).is_none());
     assert!(parallelogram.sensitivity.at(60.0).is_some());
-    // Three parallel cranks turn only as long as all lengths are what they are.
+    // Three parallel cranks turn only with their exact lengths.
     let mut parallel = Probe::preset("triple-parallelogram");
     assert!(parallel.sensitivity.at(60.0).is_none());
     // Before, at and behind the limit of a crank that cannot turn fully.
@@ -229,7 +231,7 @@ fn where_there_is_none_none_is_made_up() {
     }
 }
 
-/// Every preset has its derivatives in the middle of its motion, but where a redundant part would jam.
+/// Every preset has derivatives at its start, unless a redundant part would jam.
 #[test]
 fn presets_have_derivatives() {
     for preset in presets::all() {
@@ -251,10 +253,11 @@ fn presets_have_derivatives() {
     }
 }
 
-/// Every figure of every preset, forces included, against secants of scenes that are opened anew, each with
-/// its own assembly and its own whole motion: dyads of every kind, coupled groups and their forces.
+/// Compares every quantity of every preset, including forces, with secants of reopened scenes. Each
+/// of these has its own assembly and its own whole motion: dyads of every kind, coupled groups and
+/// their forces.
 #[test]
-fn figures_of_every_preset_follow_secants_of_scenes_opened_anew() {
+fn preset_derivatives_match_secants_of_reopened_scenes() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -266,10 +269,12 @@ fn figures_of_every_preset_follow_secants_of_scenes_opened_anew() {
     }
 }
 
-/// The largest difference of a derivative from (4 D(h/2) - D(h)) / 3, h a part of the longest length, with D(h) = (f(l + h) - f(l - h)) / 2h,
-/// in parts of the largest derivative of the figure, and of the figure itself for a unit of size. A secant misses by
-/// h^4 where a length is short beside the longest, and by rounding / h where forces cancel: a smaller step decides where
-/// the larger one does not.
+/// Returns the largest difference of a derivative from (4 D(h/2) - D(h)) / 3 with D(h) = (f(l + h)
+/// - f(l - h)) / 2h and h a part of the longest length.
+///
+/// The difference is relative to the largest derivative of the quantity plus its value per unit of
+/// size. A secant's error is h^4 if a length is short compared with the longest, and rounding / h
+/// if forces cancel. A smaller step decides if the larger one does not.
 fn against_secants(scene: &Scene, solver: &Solver, at: f64) -> f64 {
     let mut worst = f64::INFINITY;
     for part in [1024.0, 4096.0] {
@@ -294,7 +299,7 @@ fn figures_against_secants(
     at: f64,
     (part, share): (f64, f64),
 ) -> f64 {
-    // What a check misses by is rounding, and nothing follows it.
+    // A residual is a rounding error and does not depend on lengths.
     figures.retain(|figure| !figure.name.contains("residual"));
     let mut sensitivity = Sensitivity::new(scene, solver, &figures);
     let found = sensitivity.at(at).unwrap();
@@ -318,7 +323,7 @@ fn figures_against_secants(
             };
             let (wide, narrow) = (apart(a[k], b[k]) / (2.0 * h), apart(c[k], d[k]) / h);
             let secant = narrow + (narrow - wide) / 3.0;
-            // What stands still has no direction: that is asked elsewhere.
+            // An element at rest has no direction, which other tests cover.
             let Some(slopes) = found.of(k) else { continue };
             misses[k] = misses[k].max((slopes[number] - secant).abs());
         }
@@ -328,8 +333,8 @@ fn figures_against_secants(
     let parts = figures.iter().zip(misses).enumerate();
     let parts = parts.map(|(k, (figure, miss))| {
         let value = figure.value(&state).unwrap_or(f64::NAN).abs();
-        // A figure that follows no length may miss by the secant's rounding, and what others of its unit cancel to by
-        // theirs.
+        // A quantity independent of all lengths may differ by the secant's rounding, and one that
+        // results from cancellation by the rounding of others of its unit.
         let alike = figures.iter().filter(|other| other.unit == figure.unit);
         let sizes = alike.filter_map(|other| other.value(&state)).map(f64::abs);
         let floor = (share * sizes.fold(0.0, f64::max) / solver.scale()).max(1e-3);
@@ -338,10 +343,10 @@ fn figures_against_secants(
     parts.fold(0.0, f64::max)
 }
 
-/// Sizes, directions, tangential and normal parts, of motions and of forces, come only when they are named: they follow
-/// the same secants, in every preset that has them.
+/// Magnitudes, directions, tangential and normal parts of motions and forces are listed only on
+/// request. They agree with secants in every preset that has them.
 #[test]
-fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
+fn unlisted_derivatives_match_secants_of_reopened_scenes() {
     let mut ends = BTreeMap::<&str, usize>::new();
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -349,7 +354,8 @@ fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
         if !solver.plan().redundant.is_empty() {
             continue;
         }
-        // Where nothing that moves all but stands still: there a step of the secant leads past that.
+        // A position where no moving element is nearly at rest, since a secant's step would pass
+        // that point.
         let at = match solver.motion().range {
             Range::Full { period } => 0.41 * period,
             Range::Limited { low, high } => low + 0.41 * (high - low),
@@ -374,14 +380,14 @@ fn sizes_and_parts_follow_secants_of_scenes_opened_anew() {
     }
 }
 
-/// Where the two sides of a kink answer differently there is no derivative; where they answer alike there is.
+/// If the two sides of a kink have different derivatives there is none; if they agree there is one.
 #[test]
-fn at_a_kink_there_is_no_derivative() {
+fn kinks_have_no_derivative() {
     let scene = Scene::parse(presets::find("four-bar").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let on = "hypot(C.x - D.x, C.y - D.y)";
     let off = &format!("{on} - 250 mm");
-    // At 0 deg B lies on the x axis, and as high as A and D.
+    // At 0 deg B is on the x axis, level with A and D.
     for (formula, at_0, at_60) in [
         ("abs(B.y)", false, true),
         ("abs(A.y - D.y)", false, false),
@@ -393,7 +399,7 @@ fn at_a_kink_there_is_no_derivative() {
         ("sqrt(B.y / 1 mm)", false, true),
         ("hypot(B.y, B.y)", false, true),
         ("abs(C.y)", true, true),
-        // 0 but for rounding.
+        // Zero up to rounding.
         ("abs(hypot(C.x - D.x, C.y - D.y) - 250 mm)", false, false),
         (&format!("max({off}, -({off}))"), false, false),
         (&format!("sqrt(({off})^2)"), false, false),
@@ -402,7 +408,7 @@ fn at_a_kink_there_is_no_derivative() {
         (&format!("hypot({off}, 2 * ({off}))"), false, false),
         (&format!("acos({on} / 250 mm)"), false, false),
         (&format!("atan2({off}, {off})"), false, false),
-        // Both sides answer the same.
+        // Both sides have equal derivatives.
         (&format!("max({on}, 2 * {on} - {on})"), true, true),
         (&format!("C.x + abs({off} - ({off}))"), true, true),
         (&format!("hypot({on}, {off})"), true, true),
@@ -418,9 +424,9 @@ fn at_a_kink_there_is_no_derivative() {
     }
 }
 
-/// A slider on a straight guide has no normal acceleration, whatever the lengths are: that is no kink.
+/// A slider on a straight guide has no normal acceleration for any lengths: this is not a kink.
 #[test]
-fn what_stays_nought_on_both_sides_has_a_derivative() {
+fn zero_on_both_sides_has_derivative() {
     let scene = Scene::parse(presets::find("slider-crank").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let figures = Catalogue::new(&scene).select(&["C.a.n", "C.a.t"]).unwrap();
@@ -429,7 +435,8 @@ fn what_stays_nought_on_both_sides_has_a_derivative() {
         .unwrap();
     assert!(found.of(0).unwrap().iter().all(|d| *d == 0.0));
     assert!(found.of(1).unwrap().iter().any(|d| *d != 0.0));
-    // Peaucellier's point goes straight by its lengths alone, and a length that is off bends its path either way.
+    // Peaucellier's point moves along a line only for these lengths, and any change of a length
+    // bends its path either way.
     let scene = Scene::parse(presets::find("peaucellier").unwrap().text, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let figures = Catalogue::new(&scene).select(&["P.a.n", "P.a.t"]).unwrap();
@@ -438,9 +445,10 @@ fn what_stays_nought_on_both_sides_has_a_derivative() {
     assert!(found.of(0).is_none() && found.of(1).is_some());
 }
 
-/// Lengths and angles of points are asked about like coordinates, and what is seen from them goes with them.
+/// Lengths and angles of points have derivatives like coordinates, and points relative to them move
+/// with them.
 #[test]
-fn places_by_length_and_angle_follow_what_was_typed() {
+fn polar_point_derivatives_match_secants() {
     let scene = Scene::parse(crate::polar::SIGHTED, "sighted").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let worst = against_secants(&scene, &solver, 60.0);
@@ -458,7 +466,7 @@ fn places_by_length_and_angle_follow_what_was_typed() {
         assert!(probe.sensitivity.lengths().contains(&name), "{name}");
     }
     let found = probe.sensitivity.at(60.0).unwrap();
-    // E goes 1 mm out along 72.3 deg of a link at theta3, and takes F along.
+    // E moves outwards by 1 mm at 72.3 deg from a link at theta3, and F moves with it.
     let theta = 29.379_380_f64 + 72.3;
     for name in ["E.x", "F.x", "r3.com.x"] {
         let d = probe.derivative(&found, name, "r3.E.length");
@@ -468,9 +476,9 @@ fn places_by_length_and_angle_follow_what_was_typed() {
     }
 }
 
-/// A press works over the last of its stroke, and where that ends moves with the lengths, too.
+/// A press load acts over the last part of its stroke, whose end also depends on the lengths.
 #[test]
-fn what_a_press_asks_follows_the_end_of_its_stroke() {
+fn press_torque_derivatives_follow_end_of_stroke() {
     let preset = presets::find("press-ram").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -479,7 +487,7 @@ fn what_a_press_asks_follows_the_end_of_its_stroke() {
         let _ = solver.solve(at, Order::Force, &mut state);
         state.drive().unwrap().abs()
     };
-    // It presses at both.
+    // The press load acts at both.
     for at in [20.0, 350.0] {
         assert!(torque(at) > 2.0 * torque(90.0), "{at}");
         let worst = against_secants(&scene, &solver, at);
@@ -503,22 +511,22 @@ r5 = { point = "C", on = "ground", through = [5, 0], angle = 0 }
 C = [26, 0]
 "#;
 
-/// Whether a length jams a redundant linkage is no matter of which figures are asked for.
+/// Detecting that a length jams a redundant linkage does not depend on the requested quantities.
 #[test]
-fn what_jams_is_told_whatever_is_asked() {
+fn jamming_is_detected_for_any_columns() {
     let scene = Scene::parse(TWICE_GUIDED, "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     for columns in [&["*"][..], &["C.x"], &["B.x"], &["r3.angle"]] {
         let figures = Catalogue::new(&scene).select(columns).unwrap();
         let mut sensitivity = Sensitivity::new(&scene, &solver, &figures);
-        // r5 runs on its own through a point beside A: if that rises, C has nowhere to go.
+        // r5 runs through its own point next to A: if that moves up, C cannot satisfy both guides.
         assert!(sensitivity.at(40.0).is_none(), "{columns:?}");
     }
 }
 
-/// A link that is a millionth as long as the others turns a million times as far, and is not singular for it.
+/// A link a millionth as long as the others turns a million times as far, but is not singular.
 #[test]
-fn a_short_link_is_not_singular() {
+fn short_link_is_not_singular() {
     let (tiny, angles) = (4e-6, [PI / 3.0, 0.3, 1.1]);
     let at = |t: f64, r: f64| [r * t.cos(), r * t.sin()];
     let ([ax, ay], [bx, by]) = (at(angles[0], 1.0), at(angles[1], 2.0));

@@ -1,7 +1,7 @@
 //! The solver on mechanisms of every kind, built in code.
 //!
-//! One checker holds each state against the mechanism itself - lengths, guides, locked angles - and
-//! its rates against central differences, so that nothing here shares formulas with the solver.
+//! One checker compares each state with the mechanism itself - lengths, guides, locked angles - and
+//! its rates with central differences, so that the tests share no formulas with the solver.
 
 use krank::solver::{Condition, Demand, Fault, GroupKind, Order, Range, Solver, State};
 use krank::{
@@ -38,7 +38,7 @@ pub(super) fn kinds(solver: &Solver) -> Vec<GroupKind> {
     solver.plan().groups.iter().map(|g| g.kind).collect()
 }
 
-/// The state at a coordinate, which must exist.
+/// Returns the state at a coordinate, which must exist.
 pub(super) fn at(solver: &Solver, q: f64) -> State {
     let mut state = solver.state();
     assert_eq!(
@@ -49,7 +49,8 @@ pub(super) fn at(solver: &Solver, q: f64) -> State {
     state.into_state()
 }
 
-/// Every link as long, every slider on its guide, every locked link at its angle.
+/// Asserts the lengths of all links, the positions of all sliders on their guides, and the angles
+/// of all locked links.
 fn assert_assembled(mechanism: &Mechanism, state: &State, size: f64) {
     let tolerance = 1e-12 * size;
     for id in mechanism.link_ids() {
@@ -98,7 +99,8 @@ fn assert_on_guide(mechanism: &Mechanism, state: &State, id: SlideId, tolerance:
     }
 }
 
-/// Rates against central differences along the driver's own motion q(t) = q + q' t + q'' t^2 / 2.
+/// Compares rates with central differences along the driver's own motion q(t) = q + q' t + q'' t^2
+/// / 2.
 fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) {
     let driver = mechanism.driver();
     let unit = match driver.input {
@@ -108,7 +110,7 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
     let dt = 1e-4;
     let moved = |t: f64| q + unit * (driver.speed * t + 0.5 * driver.acceleration * t * t);
     let (before, now, after) = (at(solver, moved(-dt)), at(solver, q), at(solver, moved(dt)));
-    // The driver accelerates: its speed is not the same in the three states.
+    // The driver accelerates, so that its speed differs between the three states.
     let speed = |t: f64| (driver.speed + driver.acceleration * t) / driver.speed;
     let slope = |before: f64, after: f64| (after - before) / (2.0 * dt);
     let agree = |seen: f64, expected: f64, scale: f64, what: &str| {
@@ -171,7 +173,7 @@ fn assert_rates(mechanism: &Mechanism, solver: &Solver, q: f64, tolerance: f64) 
     }
 }
 
-/// Checks states all over the range, away from its ends.
+/// Checks states over the whole range, and their rates away from its ends.
 pub(super) fn check(mechanism: &Mechanism, solver: &Solver) {
     let (low, high) = match solver.motion().range {
         Range::Full { period } => (0.0, period),
@@ -186,7 +188,7 @@ pub(super) fn check(mechanism: &Mechanism, solver: &Solver) {
     }
 }
 
-/// A crank of length 1 about the origin with its pin.
+/// Creates a crank of length 1 about the origin with its pin.
 fn crank(b: &mut Builder, start: f64) -> (PointId, PointId, LinkId) {
     let (o, pin) = (b.ground_point(0.0, 0.0), b.moving_point());
     let link = b.link(o, pin, 1.0);
@@ -195,7 +197,7 @@ fn crank(b: &mut Builder, start: f64) -> (PointId, PointId, LinkId) {
 }
 
 #[test]
-fn rrp_with_a_pin_in_a_slot_and_with_a_link_that_does_not_turn() {
+fn rrp_with_pin_in_slot_and_with_sliding_link() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let c = b.moving_point();
@@ -206,7 +208,7 @@ fn rrp_with_a_pin_in_a_slot_and_with_a_link_that_does_not_turn() {
     assert_eq!(kinds(&s), [GroupKind::Driver, GroupKind::Rrp]);
     check(&m, &s);
 
-    // The same with a ram: the pin off the guide, the ram askew.
+    // A ram instead: the pin is off the guide, and the ram at an angle.
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let c = b.moving_point();
@@ -221,7 +223,7 @@ fn rrp_with_a_pin_in_a_slot_and_with_a_link_that_does_not_turn() {
 }
 
 #[test]
-fn rrp_on_a_moving_guide() {
+fn rrp_on_moving_guide() {
     let mut b = Builder::default();
     let (_, _, link) = crank(&mut b, 40.0);
     let (d, c) = (b.ground_point(2.5, 0.0), b.moving_point());
@@ -234,7 +236,7 @@ fn rrp_on_a_moving_guide() {
 }
 
 #[test]
-fn rpr_with_a_pin_in_the_arm_and_with_a_block() {
+fn rpr_with_pin_in_arm_and_with_block() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let (o, t) = (b.ground_point(0.3, -2.5), b.moving_point());
@@ -260,7 +262,7 @@ fn rpr_with_a_pin_in_the_arm_and_with_a_block() {
 }
 
 #[test]
-fn an_arm_without_a_point_of_its_own_runs_towards_its_pin() {
+fn arm_without_own_point_points_towards_its_pin() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let o = b.ground_point(0.3, -2.5);
@@ -273,7 +275,7 @@ fn an_arm_without_a_point_of_its_own_runs_towards_its_pin() {
 }
 
 #[test]
-fn prp_of_two_slots_and_of_two_links_that_do_not_turn() {
+fn prp_of_two_slots_and_of_two_sliding_links() {
     let mut b = Builder::default();
     let (_, _, link) = crank(&mut b, 40.0);
     let c = b.moving_point();
@@ -300,7 +302,7 @@ fn prp_of_two_slots_and_of_two_links_that_do_not_turn() {
 }
 
 #[test]
-fn rpp_a_yoke_on_an_inclined_guide() {
+fn rpp_yoke_on_inclined_guide() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let (yoke, far) = (b.free_link(), b.moving_point());
@@ -313,7 +315,7 @@ fn rpp_a_yoke_on_an_inclined_guide() {
 }
 
 #[test]
-fn ternary_links_ride_and_hand_the_motion_on() {
+fn ternary_link_drives_next_dyad() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 60.0);
     let d = b.ground_point(4.0, 0.0);
@@ -334,7 +336,7 @@ fn ternary_links_ride_and_hand_the_motion_on() {
     check(&m, &s);
 }
 
-/// Stephenson III, driven where its loops couple.
+/// Creates Stephenson III, driven where its loops are coupled.
 fn stephenson(with_start: bool) -> (Builder, [PointId; 3]) {
     let mut b = Builder::default();
     let (a, d, g) = (
@@ -359,7 +361,7 @@ fn stephenson(with_start: bool) -> (Builder, [PointId; 3]) {
 }
 
 #[test]
-fn a_triad_is_three_unknowns_and_keeps_its_assembly() {
+fn triad_has_three_unknowns_and_keeps_its_assembly() {
     let (m, s) = solver(stephenson(true).0);
     assert_eq!(
         kinds(&s),
@@ -370,7 +372,7 @@ fn a_triad_is_three_unknowns_and_keeps_its_assembly() {
 }
 
 #[test]
-fn a_triad_without_a_start_lists_its_assemblies() {
+fn triad_without_start_lists_its_assemblies() {
     let (b, [bb, ..]) = stephenson(false);
     match Solver::new(&b.build().unwrap()) {
         Err(Fault::Vague { point, choices, .. }) => {
@@ -382,7 +384,7 @@ fn a_triad_without_a_start_lists_its_assemblies() {
 }
 
 #[test]
-fn a_body_on_three_slots_one_of_which_moves_is_coupled() {
+fn body_on_three_slots_is_coupled() {
     let mut b = Builder::default();
     let (_, _, link) = crank(&mut b, 40.0);
     let [p, q, r] = [(); 3].map(|()| b.moving_point());
@@ -409,7 +411,7 @@ fn a_body_on_three_slots_one_of_which_moves_is_coupled() {
 }
 
 #[test]
-fn a_slide_on_the_ground_drives_a_slider_crank_backwards() {
+fn ground_slide_drives_slider_crank() {
     let mut b = Builder::default();
     let (o, pin, c) = (b.ground_point(0.0, 0.0), b.moving_point(), b.moving_point());
     b.link(o, pin, 1.0);
@@ -430,7 +432,7 @@ fn a_slide_on_the_ground_drives_a_slider_crank_backwards() {
 }
 
 #[test]
-fn a_cylinder_between_moving_links_is_closed_form_or_coupled_as_it_must_be() {
+fn cylinder_is_solved_in_closed_form_or_coupled() {
     let mut b = Builder::default();
     let (o, q, p) = (
         b.ground_point(0.0, 0.0),
@@ -448,7 +450,8 @@ fn a_cylinder_between_moving_links_is_closed_form_or_coupled_as_it_must_be() {
     assert_eq!(kinds(&s), [GroupKind::Driver, GroupKind::Rrr]);
     check(&m, &s);
 
-    // The rod's pin on a ground slot: a circle of varying radius and a line, left to Newton.
+    // The rod's pin in a ground slot: a circle of varying radius and a line, solved by Newton's
+    // method.
     let mut b = Builder::default();
     let (o, p) = (b.ground_point(0.0, 0.0), b.moving_point());
     let barrel = b.free_link();
@@ -466,7 +469,7 @@ fn a_cylinder_between_moving_links_is_closed_form_or_coupled_as_it_must_be() {
 }
 
 #[test]
-fn three_parallel_cranks_are_redundant_and_move_and_a_misfit_is_told() {
+fn third_parallel_crank_is_redundant_or_over_constrained() {
     let parallel = |third: f64| {
         let mut b = Builder::default();
         let (_, pin, _) = crank(&mut b, 60.0);
@@ -497,7 +500,7 @@ fn three_parallel_cranks_are_redundant_and_move_and_a_misfit_is_told() {
 }
 
 #[test]
-fn loose_links_are_named_with_the_mobility() {
+fn mobility_fault_names_floating_links() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 60.0);
     let (d, c, e) = (b.ground_point(4.0, 0.0), b.moving_point(), b.moving_point());
@@ -517,7 +520,7 @@ fn loose_links_are_named_with_the_mobility() {
 }
 
 #[test]
-fn a_truss_does_not_move() {
+fn truss_is_over_constrained() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 60.0);
     let d = b.ground_point(4.0, 0.0);
@@ -527,7 +530,7 @@ fn a_truss_does_not_move() {
 }
 
 #[test]
-fn a_loop_that_cannot_close_says_by_how_much() {
+fn open_loop_reports_gap() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 0.0);
     let (d, c) = (b.ground_point(7.0, 0.0), b.moving_point());
@@ -544,7 +547,7 @@ fn a_loop_that_cannot_close_says_by_how_much() {
 }
 
 #[test]
-fn a_dyad_without_a_start_lists_both_assemblies() {
+fn dyad_without_start_lists_both_assemblies() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 90.0);
     let (d, c) = (b.ground_point(0.0, -3.0), b.moving_point());
@@ -566,7 +569,7 @@ fn a_dyad_without_a_start_lists_both_assemblies() {
 }
 
 #[test]
-fn parallel_guides_are_refused() {
+fn parallel_guides_are_rejected() {
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 40.0);
     let yoke = b.free_link();
@@ -577,7 +580,7 @@ fn parallel_guides_are_refused() {
 }
 
 #[test]
-fn two_locks_that_disagree_are_refused_and_two_that_agree_are_one_too_many() {
+fn conflicting_locks_are_rejected_and_equal_ones_redundant() {
     let yoke = |second: f64| {
         let mut b = Builder::default();
         let (_, pin, _) = crank(&mut b, 40.0);
@@ -591,7 +594,7 @@ fn two_locks_that_disagree_are_refused_and_two_that_agree_are_one_too_many() {
     assert!(!yoke(0.0).unwrap().plan().redundant.is_empty());
 }
 
-/// A crank and dyads in a row, each driven by the one before.
+/// Creates a crank and dyads in a row, each driven by the one before.
 fn long_chain(dyads: usize) -> Mechanism {
     let mut b = Builder::default();
     let (_, mut pin, _) = crank(&mut b, 60.0);
@@ -600,7 +603,7 @@ fn long_chain(dyads: usize) -> Mechanism {
         let (d, c, e) = (b.ground_point(x, 0.0), b.moving_point(), b.moving_point());
         b.link(pin, c, 3.0);
         let rocker = b.link(d, c, 2.5);
-        // The rocker hands on a motion of about the size of the crank's.
+        // The rocker's point moves about as far as the crank's pin.
         b.carry(rocker, e, Vec2::new(0.8, 0.0));
         b.start(c, Vec2::new(x - 0.9, 2.3));
         pin = e;
@@ -609,7 +612,7 @@ fn long_chain(dyads: usize) -> Mechanism {
 }
 
 #[test]
-fn a_chain_of_a_thousand_dyads_is_planned_and_solved() {
+fn chain_of_thousand_dyads_is_planned_and_solved() {
     let mechanism = long_chain(1000);
     let s = Solver::new(&mechanism).unwrap();
     assert_eq!(s.plan().groups.len(), 1001);
@@ -617,7 +620,7 @@ fn a_chain_of_a_thousand_dyads_is_planned_and_solved() {
 }
 
 #[test]
-fn only_what_is_asked_for_is_solved() {
+fn only_demanded_elements_are_solved() {
     let mechanism = long_chain(3);
     let whole = Solver::new(&mechanism).unwrap();
     let first = whole.plan().groups[1].point.unwrap();
@@ -630,7 +633,7 @@ fn only_what_is_asked_for_is_solved() {
         full.acceleration(first).unwrap(),
         part.acceleration(first).unwrap()
     );
-    // The points of the last dyad were never placed, and nothing is said of them.
+    // The points of the last dyad are not solved and have no values.
     let last = whole.plan().groups[3].point.unwrap();
     assert!(full.position(last).is_some() && full.velocity(last).is_some());
     assert_eq!((part.position(last), part.velocity(last)), (None, None));
@@ -638,7 +641,7 @@ fn only_what_is_asked_for_is_solved() {
     assert!(full.omega(link).is_some());
     assert_eq!((part.angle(link), part.omega(link)), (None, None));
     assert_ne!(full, part);
-    // What is left out twice is left out.
+    // Elements excluded by either demand are excluded.
     let other = whole.plan().groups[2].point.unwrap();
     let less = whole
         .only(&Demand {
@@ -654,9 +657,9 @@ fn only_what_is_asked_for_is_solved() {
     assert_eq!((less.position(other), less.position(last)), (None, None));
 }
 
-/// A state solved to its positions used to read as one at rest.
+/// A state solved only for positions used to read as one at rest.
 #[test]
-fn what_was_not_solved_reads_as_nothing() {
+fn unsolved_values_are_none() {
     let (builder, points) = stephenson(true);
     let (mechanism, solver) = solver(builder);
     let link = mechanism.link_ids().last().unwrap();
@@ -671,7 +674,7 @@ fn what_was_not_solved_reads_as_nothing() {
         ]
     };
     assert_eq!(read(&work), [false; 4], "before anything is solved");
-    // Downwards, so that what is of a higher order is still there from before.
+    // In descending order, so that values of higher order remain from before.
     for (order, there) in [
         (Order::Force, [true, true, true, false]),
         (Order::Acceleration, [true, true, true, false]),
@@ -680,7 +683,7 @@ fn what_was_not_solved_reads_as_nothing() {
     ] {
         assert_eq!(solver.solve(211.5, order, &mut work), Condition::Ok);
         assert_eq!((work.order(), read(&work)), (order, there));
-        // Of bounds and of twice the digits there is no more than of the state itself.
+        // Bounds and double-double states have no more than the state itself.
         let (mut balls, mut twice) = (solver.enclosure(), solver.twice());
         solver.enclose(&mut work, Order::Force, &mut balls);
         assert!(solver.solve_twice(&work, Order::Force, &mut twice));
@@ -697,9 +700,9 @@ fn what_was_not_solved_reads_as_nothing() {
     assert_eq!(read(&work), [false; 4], "without an assembly");
 }
 
-/// At a dead point there are places, and no rates; nor in the bounds of it.
+/// At a dead point there are positions but no rates, and no bounds of rates.
 #[test]
-fn a_dead_point_has_no_rates() {
+fn dead_point_has_no_rates() {
     let mut builder = Mechanism::builder();
     let (a, d) = (
         builder.ground_point(0.0, 0.0),
@@ -723,9 +726,9 @@ fn a_dead_point_has_no_rates() {
     assert_eq!((balls.velocity(c), balls.omega(crank)), (None, None));
 }
 
-/// A state is a value: kept, it stays, and it is equal where all that it says is.
+/// A state is a value: a copy does not change, and states are equal if all their values are.
 #[test]
-fn states_are_kept_and_compared() {
+fn states_can_be_cloned_and_compared() {
     let (builder, _) = stephenson(true);
     let (_, solver) = solver(builder);
     let mut work = solver.state();
@@ -738,7 +741,7 @@ fn states_are_kept_and_compared() {
     let places = solved(40.0, Order::Position);
     assert_ne!(here, there);
     assert_ne!(here, places, "an order is a part of what a state says");
-    // What is left over from the state before is none of it.
+    // Remains of the previous state are not part of a state.
     let again = at(&solver, 40.0);
     assert_eq!(here, again);
     let mut fresh = solver.state();
@@ -750,7 +753,7 @@ fn states_are_kept_and_compared() {
 }
 
 #[test]
-fn a_state_depends_on_the_coordinate_alone() {
+fn state_depends_only_on_coordinate() {
     let (b, points) = stephenson(true);
     let (_, s) = solver(b);
     let fresh = at(&s, 211.5);
@@ -769,7 +772,7 @@ fn a_state_depends_on_the_coordinate_alone() {
 }
 
 #[test]
-fn solving_and_bounding_allocate_nothing() {
+fn solving_and_bounding_do_not_allocate() {
     let coupled = solver(stephenson(true).0).1;
     let dyads = Solver::new(&long_chain(12)).unwrap();
     let preset = krank::scene::presets::find("engine").unwrap();
@@ -791,7 +794,7 @@ fn solving_and_bounding_allocate_nothing() {
 }
 
 #[test]
-fn a_rocker_drives_between_its_dead_points_and_no_further() {
+fn driven_rocker_stops_at_dead_points() {
     let mut b = Builder::default();
     let (a, d) = (b.ground_point(0.0, 0.0), b.ground_point(400.0, 0.0));
     let (pin, c) = (b.moving_point(), b.moving_point());
@@ -801,7 +804,7 @@ fn a_rocker_drives_between_its_dead_points_and_no_further() {
     b.driver(turn(rocker, 120.0));
     b.start(pin, Vec2::new(50.0, 86.0));
     let (_, s) = solver(b);
-    // Where A, B and C are in line: AC = 400 and 200.
+    // A, B and C are collinear: AC = 400 and 200.
     let Range::Limited { low, high } = s.motion().range else {
         panic!()
     };
@@ -817,7 +820,7 @@ fn a_rocker_drives_between_its_dead_points_and_no_further() {
     }
 }
 
-/// A crank AB about the origin, a coupler and a rocker about (distance, 0).
+/// Creates a crank AB about the origin, a coupler, and a rocker about (distance, 0).
 fn four_bar(lengths: [f64; 4], start: f64, near: Vec2) -> Builder {
     let [a, b, c, d] = lengths;
     let mut builder = Builder::default();
@@ -832,13 +835,13 @@ fn four_bar(lengths: [f64; 4], start: f64, near: Vec2) -> Builder {
 }
 
 #[test]
-fn a_change_point_beside_the_start_is_seen_from_every_start() {
-    // d - a = c - b: the links fold into one line at 0 degrees. A start within a step of it used to
+fn change_point_near_start_is_found() {
+    // d - a = c - b: the links become collinear at 0 degrees. A start within one step of it used to
     // hide the minimum between the last sample and the first.
     for start in [60.0, 0.3, 359.6] {
         let (_, s) = solver(four_bar([2.0, 4.0, 7.0, 5.0], start, Vec2::new(2.0, 2.0)));
         assert_eq!(s.motion().change_points[0], 0.0, "from {start}");
-        // It folds over once a turn, and is back after two.
+        // It folds over once per turn, and repeats after two.
         assert_eq!(
             s.motion().range,
             Range::Full { period: 720.0 },
@@ -848,12 +851,12 @@ fn a_change_point_beside_the_start_is_seen_from_every_start() {
 }
 
 #[test]
-fn small_angles_of_very_long_links_and_small_levers_are_no_limits() {
-    // The coupler meets the rocker at 4e-9 rad all the way round: that is their shape.
+fn small_angles_and_levers_are_not_limits() {
+    // The coupler meets the rocker at 4e-9 rad throughout the turn, which is due to their shape.
     let (_, s) = solver(four_bar([1.0, 1e9, 1e9, 4.0], 60.0, Vec2::new(2.0, 1e9)));
     assert_eq!(s.motion().range, Range::Full { period: 360.0 });
 
-    // A lever of 1e-8 beside a length of 1: its measure is a length, always small here.
+    // A lever of 1e-8 next to a length of 1: its measure is a length, always small here.
     let mut b = Builder::default();
     let (o, q) = (b.ground_point(0.0, 0.0), b.ground_point(2e-8, 0.0));
     b.ground_point(1.0, 0.0);
@@ -868,11 +871,11 @@ fn small_angles_of_very_long_links_and_small_levers_are_no_limits() {
 }
 
 #[test]
-fn equal_arms_about_one_pivot_have_no_direction() {
-    // A kite folded so that crank pin and ground pivot are one point: used to open with NaN.
+fn folded_kite_is_singular_only_where_it_opens() {
+    // A kite folded such that crank pin and ground pivot coincide: it used to open with NaN.
     let b = four_bar([1.0, 2.0, 2.0, 1.0], 0.0, Vec2::new(2.0, 2.0));
     let fault = Solver::new(&b.build().unwrap()).unwrap_err();
-    // It is so only here: beside it the arms have a direction, and nobody is told otherwise.
+    // It is singular only here: elsewhere the arms have a direction, and the fault says so.
     let is_here_only = matches!(
         fault,
         Fault::Singular {
@@ -884,7 +887,7 @@ fn equal_arms_about_one_pivot_have_no_direction() {
 }
 
 #[test]
-fn guides_that_are_parallel_by_sums_of_angles_are_refused() {
+fn guides_parallel_by_sum_of_angles_are_rejected() {
     // 33.1 - 33.1 degrees leave 1e-17, by which the point used to be placed at 1e16.
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 60.0);
@@ -896,7 +899,7 @@ fn guides_that_are_parallel_by_sums_of_angles_are_refused() {
 }
 
 #[test]
-fn a_start_too_large_for_a_step_of_a_degree_does_no_harm() {
+fn very_large_start_angle_opens() {
     // start + 1 = start: there is no sample before the first.
     for start in [1e17, 1e300] {
         let b = four_bar([1.0, 3.0, 2.5, 4.0], start, Vec2::new(2.0, 2.0));
@@ -905,8 +908,9 @@ fn a_start_too_large_for_a_step_of_a_degree_does_no_harm() {
 }
 
 #[test]
-fn a_crank_pinned_to_the_ground_twice_does_not_turn() {
-    // Both equations of the second pin are set aside, and the one across the crank tells.
+fn crank_pinned_to_ground_twice_is_over_constrained() {
+    // Both equations of the second pin are set aside, and the one perpendicular to the crank
+    // decides.
     let mut b = Builder::default();
     let (_, _, link) = crank(&mut b, 60.0);
     let h = b.ground_point(0.5, 0.0);
@@ -916,9 +920,9 @@ fn a_crank_pinned_to_the_ground_twice_does_not_turn() {
 }
 
 #[test]
-fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
-    // The slide locks the two directions together; the sliding link's own place comes later, and
-    // used to count among the group's unknowns.
+fn body_of_coupled_group_can_carry_sliding_link() {
+    // The slide locks both directions together. The sliding link's own position is solved later,
+    // and used to count among the group's unknowns.
     let (mut b, [_, _, e]) = stephenson(true);
     let ternary = *b.clone().build().unwrap().point(e).links.last().unwrap();
     let (block, q) = (b.free_link(), b.moving_point());
@@ -933,9 +937,9 @@ fn a_body_of_a_coupled_group_may_carry_a_sliding_link_that_follows() {
 }
 
 #[test]
-fn a_strut_inside_a_link_of_a_coupled_group_is_what_is_set_aside() {
-    // By their number alone any bar around the ternary link could be given up, and the last one
-    // drawn used to be; only the strut between two points of that link repeats something.
+fn strut_inside_link_of_coupled_group_is_redundant() {
+    // By counting alone, any bar around the ternary link could be redundant, and the last one drawn
+    // used to be. Only the strut between two points of that link is.
     let mut b = Builder::default();
     let (_, pin, _) = crank(&mut b, 60.0);
     let [p, q, r] = [(); 3].map(|()| b.moving_point());
@@ -958,9 +962,9 @@ fn a_strut_inside_a_link_of_a_coupled_group_is_what_is_set_aside() {
 }
 
 #[test]
-fn a_coupled_group_needs_no_ground_point() {
-    // A triangle on a bar from a driven slider and on two ground slots: nothing is pinned to the
-    // ground, and the guides used to find no point to be seen from.
+fn coupled_group_needs_no_ground_point() {
+    // A triangle on a bar from a driven slider and on two ground slots, without a ground joint:
+    // the guides used to lack a reference point.
     let mut b = Builder::default();
     let [p, q, r, s] = [(); 4].map(|()| b.moving_point());
     let body = b.free_link();
@@ -983,7 +987,7 @@ fn a_coupled_group_needs_no_ground_point() {
     check(&m, &s);
 }
 
-/// Stephenson III with a longer crank, which stops at two dead points.
+/// Opens Stephenson III with a longer crank, which stops at two dead points.
 fn limited_triad(start: f64, places: [Vec2; 3]) -> (Mechanism, Solver, [PointId; 3]) {
     let mut b = Builder::default();
     let (a, d, g) = (
@@ -1006,7 +1010,7 @@ fn limited_triad(start: f64, places: [Vec2; 3]) -> (Mechanism, Solver, [PointId;
     (m, s, [bb, c, e])
 }
 
-/// Its places at 60 degrees.
+/// Its positions at 60 degrees.
 const TRIAD_AT_60: [Vec2; 3] = [
     Vec2::new(0.4, 1.45),
     Vec2::new(2.4, 1.7),
@@ -1014,10 +1018,10 @@ const TRIAD_AT_60: [Vec2; 3] = [
 ];
 
 #[test]
-fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
-    // The limits are those of two independent continuations in 60 digits. Within the last degree
-    // the nearest state in steps of a degree leads to the other assembly: the states in between,
-    // which the walk needs all the same, must be kept.
+fn triad_keeps_its_assembly_up_to_dead_points() {
+    // The limits are those of two independent continuations with 60 digits. Within the last degree,
+    // the nearest state in steps of a degree leads to the other assembly, so that the intermediate
+    // states of the tracking must be kept.
     let (m, s, [.., e]) = limited_triad(60.0, TRIAD_AT_60);
     let Range::Limited { low, high } = s.motion().range else {
         panic!()
@@ -1025,7 +1029,7 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
     assert!((low - 47.937_702_396_774_27).abs() < 1e-9, "{low}");
     assert!((high - 322.497_269_422_333_17).abs() < 1e-9, "{high}");
     for end in [low, high] {
-        // At a distance of x^2 from a dead point a joint moves by about x.
+        // At a distance of x^2 from a dead point, a joint has moved by about x.
         let mut limit = s.state();
         let condition = s.solve(end, Order::Acceleration, &mut limit);
         assert_eq!(condition, Condition::DeadPoint, "at {end}");
@@ -1042,9 +1046,9 @@ fn a_triad_keeps_its_assembly_up_to_its_dead_points() {
 }
 
 #[test]
-fn a_walk_from_beside_a_dead_point_does_not_reach_across_it() {
-    // There the motion bends so sharply that one step ended in the other assembly, whose joints
-    // were just where the step's own parabola led.
+fn motion_opened_near_dead_point_does_not_cross_it() {
+    // The motion bends so sharply there that one step used to end in the other assembly, whose
+    // joints happened to be at the step's extrapolated positions.
     let (_, s, points) = limited_triad(60.0, TRIAD_AT_60);
     let Range::Limited { low, high } = s.motion().range else {
         panic!()

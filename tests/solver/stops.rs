@@ -1,4 +1,4 @@
-//! Stops, against the law of cosines, and held over whole motions.
+//! Stops, compared with the law of cosines and checked over whole motions.
 
 use krank::scene::{Scene, presets};
 use krank::solver::{Condition, Fault, Order, Range, Solver, State};
@@ -7,7 +7,7 @@ use krank::{
 };
 use proptest::prelude::*;
 
-/// Crank 100, rod 300, no offset; the slide is called `rod`.
+/// Crank 100, rod 300, no offset; the slide is named `rod`.
 const SLIDER_CRANK: &str = r#"
 unit = "mm"
 [ground]
@@ -50,7 +50,7 @@ fn open(text: &str) -> Result<Solver, Fault> {
     Solver::new(&scene.mechanism)
 }
 
-/// A scene with stops.
+/// Opens a scene with stops.
 fn stopped(text: &str, limits: &str) -> Solver {
     open(&format!("{text}\n[limits]\n{limits}\n")).unwrap()
 }
@@ -71,7 +71,8 @@ fn condition(solver: &Solver, at: f64) -> Condition {
     solver.solve(at, Order::Acceleration, &mut state)
 }
 
-/// The values of the limits in a state, angles as near to a stop as whole turns can bring them.
+/// Returns the values of the limits in a state, angles shifted by whole turns to be nearest to the
+/// limit.
 fn values(mechanism: &Mechanism, state: &State) -> Vec<f64> {
     let near = |value: f64, limit: &Limit| {
         let middle = 0.5 * (limit.low + limit.high);
@@ -91,8 +92,8 @@ fn values(mechanism: &Mechanism, state: &State) -> Vec<f64> {
     mechanism.limits().iter().map(value).collect()
 }
 
-/// Inside every limit holds; at a stop its own does so with equality, rates exist there, and next to it outside
-/// there is nothing.
+/// Checks that every limit holds inside the range. At a stop, its own limit must hold with equality
+/// and rates must exist; next to it outside, there must be no assembly.
 fn assert_holds(solver: &Solver, slack: f64) {
     let mechanism = solver.mechanism();
     let (low, high) = ends(solver);
@@ -126,11 +127,11 @@ fn assert_holds(solver: &Solver, slack: f64) {
     }
 }
 
-// ---- one stop after the other, by formulas
+// ---- single stops, by formulas
 
 /// cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s), to 40 digits and rounded once.
 #[test]
-fn a_slot_ends_the_turn_of_a_crank_at_the_nearest_double() {
+fn slide_limit_stops_crank_at_nearest_double() {
     let solver = stopped(SLIDER_CRANK, "rod = [250, 380]");
     assert_eq!(ends(&solver), (32.07341239210894, 110.48731511472266));
     assert_eq!(stops_at(&solver), [32.07341239210894, 110.48731511472266]);
@@ -138,14 +139,16 @@ fn a_slot_ends_the_turn_of_a_crank_at_the_nearest_double() {
     assert_holds(&solver, 1e-14);
 }
 
-/// The diagonal BD by the angle between coupler and rocker, and the crank by the diagonal.
+/// The diagonal BD follows from the angle between coupler and rocker, and the crank from the
+/// diagonal.
 #[test]
-fn the_angle_between_two_links_ends_a_turn() {
+fn angle_between_two_links_ends_motion() {
     let limit = "elbow = { link = \"r4\", from = \"r3\", angle = [-110, -60] }";
     let solver = stopped(FOUR_BAR, limit);
     assert_eq!(ends(&solver), (30.679176173374955, 135.95137432591568));
     assert_holds(&solver, 1e-14);
-    // Seen from the other link it is the same with the other sign, and by a whole turn it is the same.
+    // Measured from the other link, the angle has the opposite sign; shifted by a whole turn, it is
+    // equivalent.
     for limit in [
         "elbow = { link = \"r3\", from = \"r4\", angle = [60, 110] }",
         "elbow = { link = \"r4\", from = \"r3\", angle = [250, 300] }",
@@ -155,9 +158,9 @@ fn the_angle_between_two_links_ends_a_turn() {
     }
 }
 
-/// The cylinder as long as from its pin on the machine to its eye, with the boom at 0 and at 45 deg.
+/// The cylinder's length from its pin on the machine to its eye, with the boom at 0 and at 45 deg.
 #[test]
-fn a_boom_stops_its_cylinder() {
+fn boom_limit_stops_cylinder() {
     let solver = stopped(preset("excavator-boom"), "boom = [0, 45]");
     let place = |degrees: f64| {
         let (sine, cosine) = degrees.to_radians().sin_cos();
@@ -172,9 +175,9 @@ fn a_boom_stops_its_cylinder() {
     assert!(own.motion().dead_points.is_empty());
 }
 
-/// The first of several stops counts, wherever its limit stands.
+/// The first of several stops counts, in any order of the limits.
 #[test]
-fn the_first_stop_on_the_way_ends_it() {
+fn first_stop_ends_motion() {
     let text = SLIDER_CRANK.replace("angle = 60\n", "angle = 60\nrange = [40, 200]\n");
     let solver = stopped(&text, "rod = [250, 380]\nr3 = [300, 400]");
     assert_eq!(ends(&solver), (40.0, 110.48731511472266));
@@ -188,7 +191,7 @@ fn the_first_stop_on_the_way_ends_it() {
 }
 
 #[test]
-fn a_driver_has_a_range_of_its_own() {
+fn driver_range_limits_motion() {
     let with = |angle: &str, range: &str| {
         let text = FOUR_BAR.replace("angle = 60", &format!("angle = {angle}\nrange = {range}"));
         ends(&open(&text).unwrap())
@@ -197,13 +200,13 @@ fn a_driver_has_a_range_of_its_own() {
     assert_eq!(with("400", "[10, 200]"), (370.0, 560.0));
     assert_eq!(with("-300", "[10, 200]"), (-350.0, -160.0));
     assert_eq!(with("60", "[-360, 720]"), (-360.0, 720.0));
-    // A driven link named among the limits is its driver.
+    // A limit named after the driven link applies to the driver.
     assert_eq!(ends(&stopped(FOUR_BAR, "r2 = [0.1, 150.3]")), (0.1, 150.3));
 }
 
 /// A crank that swings between dead points at -82.8 and 82.8 deg.
 #[test]
-fn a_dead_point_before_the_stop_stays_the_end() {
+fn dead_point_before_stop_remains_end() {
     let text = FOUR_BAR
         .replace("D = [400, 0]", "D = [100, 0]")
         .replace("length = 100", "length = 60")
@@ -230,16 +233,16 @@ fn a_dead_point_before_the_stop_stays_the_end() {
 }
 
 #[test]
-fn a_touch_is_no_end_and_a_narrow_violation_is() {
-    // Rod and crank in line: 400.
+fn touched_limit_is_no_stop_but_narrow_violation_is() {
+    // Rod and crank are collinear: 400.
     let touched = stopped(SLIDER_CRANK, "rod = [200, 400]");
     assert_eq!(touched.motion().range, Range::Full { period: 360.0 });
     assert!(touched.motion().stops.is_empty());
-    // 0.014 deg wide, between two samples of the walk.
+    // 0.014 deg wide, between two samples of the tracking.
     let text = SLIDER_CRANK.replace("angle = 60", "angle = 60.5");
     let solver = stopped(&text, "rod = [100, 399.999999]");
     let (low, high) = ends(&solver);
-    // At such a slope a double of the coordinate is as fine as this.
+    // Near zero, doubles of the coordinate are this fine.
     assert!((low - 0.007_017_271_218_412_742).abs() < 1e-17, "{low}");
     assert!(
         (high - (360.0 - 0.007_017_271_218_412_742)).abs() < 1e-13,
@@ -248,9 +251,9 @@ fn a_touch_is_no_end_and_a_narrow_violation_is() {
     assert_holds(&solver, 1e-14);
 }
 
-/// 30, 40, 50: the slide is at 40 to the bit where the crank stands upright.
+/// 30, 40, 50: the slide is exactly at 40 where the crank is upright.
 #[test]
-fn a_scene_may_open_at_its_stop() {
+fn scene_can_open_at_its_stop() {
     let text = SLIDER_CRANK
         .replace("angle = 60", "angle = 90")
         .replace("length = 100", "length = 30")
@@ -264,7 +267,7 @@ fn a_scene_may_open_at_its_stop() {
 }
 
 #[test]
-fn a_scene_beyond_its_stop_does_not_open() {
+fn scene_beyond_its_stop_does_not_open() {
     let opened = |text: &str, limits: &str| open(&format!("{text}\n[limits]\n{limits}\n"));
     let Err(Fault::BeyondStop { limit, value }) = opened(SLIDER_CRANK, "rod = [100, 300]") else {
         panic!("it opens");
@@ -281,7 +284,7 @@ fn a_scene_beyond_its_stop_does_not_open() {
         matches!(fault, Fault::BeyondStop { value: 60.0, .. }),
         "{fault:?}"
     );
-    // The other assembly stands elsewhere, on the other side of the stop.
+    // The other assembly is on the other side of the stop.
     let scene = Scene::parse(&format!("{FOUR_BAR}\n[limits]\nr4 = [230, 300]\n"), "test").unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let group = solver.plan().numbered().map(|(id, _)| id).nth(1).unwrap();
@@ -291,9 +294,10 @@ fn a_scene_beyond_its_stop_does_not_open() {
 
 // ---- along periods and change points
 
-/// The follower of a drag link turns fully: a limit that spans most of a turn stops it in the same turn.
+/// The follower of a drag link turns fully: a limit that spans most of a turn stops it in the same
+/// turn.
 #[test]
-fn a_link_that_turns_fully_is_stopped_within_its_turn() {
+fn fully_turning_link_is_stopped_within_its_turn() {
     let text = FOUR_BAR
         .replace("D = [400, 0]", "D = [100, 0]")
         .replace("length = 100", "length = 200")
@@ -308,7 +312,7 @@ fn a_link_that_turns_fully_is_stopped_within_its_turn() {
 
 /// The kite repeats after two turns; its change points are at 0 and 360.
 #[test]
-fn a_range_of_a_kite_has_the_change_points_that_lie_in_it() {
+fn range_of_kite_has_its_change_points() {
     let text = preset("kite");
     let whole = open(text).unwrap();
     let with = |range: &str| {
@@ -320,7 +324,7 @@ fn a_range_of_a_kite_has_the_change_points_that_lie_in_it() {
         with("[-900, 500]").motion().change_points,
         [-720.0, -360.0, 0.0, 360.0]
     );
-    // The states are those without stops, to the bit, on whichever turn.
+    // On any turn, the states equal those without stops bit for bit.
     let solver = with("[-900, 500]");
     let (mut own, mut other) = (solver.state(), whole.state());
     for at in [
@@ -340,9 +344,9 @@ fn a_range_of_a_kite_has_the_change_points_that_lie_in_it() {
     assert_holds(&solver, 1e-12);
 }
 
-/// States do not depend on the order in which they are asked for, next to stops either.
+/// States next to stops do not depend on the order in which they are solved either.
 #[test]
-fn any_order_gives_the_same_bits() {
+fn states_near_stops_do_not_depend_on_order() {
     for (text, limits) in [
         (SLIDER_CRANK, "rod = [250, 380]"),
         (preset("kite"), "r3 = [-60, 200]"),
@@ -371,7 +375,7 @@ fn any_order_gives_the_same_bits() {
 // ---- every kind of group
 
 #[test]
-fn every_kind_of_group_is_held_by_its_stops() {
+fn every_kind_of_group_respects_its_stops() {
     for (name, limits, slack) in [
         ("stephenson-six-bar", "r4 = [-5, 8]", 1e-12),
         (
@@ -392,9 +396,10 @@ fn every_kind_of_group_is_held_by_its_stops() {
     }
 }
 
-/// In twice the digits the end of the limit lies between the doubles beside a stop, and nearer to the stop than to either.
+/// In double-double, the end of the limit is between the neighbouring doubles of a stop, and the
+/// stop is the nearest double.
 #[test]
-fn a_stop_behind_a_coupled_group_is_the_nearest_double() {
+fn stop_behind_coupled_group_is_nearest_double() {
     let plain = open(preset("stephenson-six-bar")).unwrap();
     for limit in [[-5.0, 8.0], [-4.3, 7.7], [-3.7, 7.9], [-2.2, 7.6]] {
         let [low, high] = limit;
@@ -409,7 +414,7 @@ fn a_stop_behind_a_coupled_group_is_the_nearest_double() {
         };
         let (mut state, mut twice) = (plain.state(), plain.twice());
         for stop in &solver.motion().stops {
-            // The typed decimal, to twice the digits.
+            // The typed decimal in double-double.
             let tenths = |end: f64| Double::exactly((10.0 * end).round()) / Double::exactly(10.0);
             let off = |at: f64| {
                 let _ = plain.solve(at, Order::Position, &mut state);
@@ -436,10 +441,10 @@ fn a_stop_behind_a_coupled_group_is_the_nearest_double() {
     }
 }
 
-// ---- as a library has it
+// ---- through the library
 
 #[test]
-fn what_is_no_limit_is_refused() {
+fn invalid_limits_are_rejected() {
     let built = |of: fn(LinkId, SlideId) -> LimitOf, low: f64, high: f64| {
         let mut builder = Mechanism::builder();
         let a = builder.ground_point(0.0, 0.0);
@@ -491,9 +496,10 @@ fn what_is_no_limit_is_refused() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(60))]
 
-    /// Random four-bars that open at right angles or better, with random stops of coupler and rocker.
+    /// Random four-bars that open at right angles or better, with random stops of coupler and
+    /// rocker.
     #[test]
-    fn stops_hold_over_random_four_bars(
+    fn random_four_bars_respect_their_stops(
         crank in 30.0..180.0_f64,
         coupler in 200.0..400.0_f64,
         rocker in 200.0..400.0_f64,
@@ -519,7 +525,7 @@ proptest! {
         } else {
             prop_assert_eq!(solver.motion().range, whole.motion().range);
         }
-        // Nothing between the stops is left out: beyond them the whole motion breaks the limit.
+        // The range between the stops is complete: beyond them the whole motion violates the limit.
         let (mut inside, mut k) = (true, 0);
         let (low, high) = solver.motion().range.ends();
         while inside && k < 3600 {

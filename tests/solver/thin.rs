@@ -1,4 +1,4 @@
-//! Triangles that are all but folded, away from the ends of the motion.
+//! Nearly folded triangles, away from the ends of the motion.
 
 use crate::bounds::Dice;
 use krank::quantity::{self, Aspect, Subject};
@@ -7,7 +7,8 @@ use krank::{Double, Driver, Input, Mechanism, PointId, Vec2};
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// A triangle of two links on fixed pivots 5 apart, beside a crank that turns; and the point where the links meet.
+/// Creates a triangle of two links on fixed pivots 5 apart, with an independent turning crank, and
+/// returns the point where the links meet.
 fn folded(coupler: f64, rocker: f64) -> (Mechanism, PointId) {
     let mut builder = Mechanism::builder();
     let (p, q) = (
@@ -29,7 +30,7 @@ fn folded(coupler: f64, rocker: f64) -> (Mechanism, PointId) {
     (builder.build().unwrap(), c)
 }
 
-/// Where they meet: on the left of the way from pivot to pivot.
+/// Returns the point where the links meet, on the left of the vector from pivot to pivot.
 fn apex(coupler: f64, rocker: f64) -> Vec2<Double> {
     let [b, c, d] = [coupler, rocker, 5.0].map(Double::exactly);
     let square = Double::exactly(25.0);
@@ -42,8 +43,8 @@ fn apex(coupler: f64, rocker: f64) -> Vec2<Double> {
     Vec2::new(e.x, e.y + Double::exactly(3.0))
 }
 
-/// Links that are longer than the way between their pivots by some ulps: the height is known to half of its digits from
-/// doubles alone.
+/// Links longer than the distance of their pivots by some ulps: plain doubles would give only half
+/// of the height's digits.
 #[test]
 fn folded_triangles_are_accurate_to_16_u() {
     let mut dice = Dice::new(31);
@@ -51,7 +52,7 @@ fn folded_triangles_are_accurate_to_16_u() {
         for _ in 0..8 {
             let ulps = 10_f64.powf(0.3 * f64::from(power)).round();
             let coupler = (dice.within(1.0, 2.0) * 1024.0).round() / 1024.0;
-            // Its last bit is one ulp of 5.
+            // The last bit of the rocker is one ulp of 5.
             let rocker = (5.0 - coupler) + ulps * 8.0 * U;
             let (mechanism, joint) = folded(coupler, rocker);
             let solver = Solver::new(&mechanism).unwrap();

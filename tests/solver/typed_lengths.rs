@@ -1,9 +1,9 @@
-//! Bounds of machines whose lengths were typed as people type them, against their true errors.
+//! Bounds of machines with typed lengths, compared with their true errors.
 //!
-//! The truth is found apart from the solver: the typed decimals are read here, to twice the digits, and the
-//! constraints are solved by Newton's method in point coordinates. `KRANK_TYPED=100000 cargo test --release --test solver
-//! typed_lengths -- --nocapture` prints for as many values of each kind how much larger than the error bounds are in the
-//! median.
+//! The true values are computed independently of the solver. The typed decimals are parsed here in
+//! double-double, and the constraints are solved by Newton's method in point coordinates.
+//! `KRANK_TYPED=100000 cargo test --release --test solver typed_lengths -- --nocapture` prints, for
+//! as many values of each kind, the median ratio of bound to error.
 #![allow(clippy::print_stdout, reason = "the overestimates are to be read")]
 
 use crate::bounds::Dice;
@@ -16,7 +16,7 @@ use std::fmt::Write as _;
 
 type Place = Vec2<Double>;
 
-/// A number as it was typed.
+/// A number as typed.
 #[derive(Clone, Debug)]
 struct Typed {
     text: String,
@@ -30,7 +30,8 @@ impl Typed {
         Typed { text, value }
     }
 
-    /// A number between two with so many digits, and with more than a double holds behind them.
+    /// Draws a number between two limits with `digits` digits, and appends a tail beyond the digits
+    /// of a double.
     fn within(dice: &mut Dice, low: f64, high: f64, digits: i32, tail: &str) -> Typed {
         let value = dice.within(low, high);
         let places = digits - 1 - value.abs().log10().floor() as i32;
@@ -46,9 +47,10 @@ impl Typed {
 /// A constraint, by the numbers of the points.
 enum Row {
     Distance(usize, usize, Double),
-    /// On a line of the ground: through here, across this normal.
+    /// A line of the ground: a point on it and its normal.
     Line(usize, Place, Place),
-    /// A point on a link from the second to the third point, which is so long.
+    /// A point on a link from the second to the third point, with its local coordinates and the
+    /// link's length.
     Carried([usize; 3], Place, Double),
 }
 
@@ -57,9 +59,9 @@ enum Row {
 struct Machine {
     text: String,
     names: Vec<&'static str>,
-    /// Where the points are, as far as they do not move.
+    /// The positions of the fixed points; `None` for a moving point.
     ground: Vec<Option<Place>>,
-    /// In the order of the scene: from where to where.
+    /// The links in the order of the scene: from point and to point.
     links: Vec<[usize; 2]>,
     rows: Vec<Row>,
     /// The crank's pivot, pin and length, and the driver's speed and acceleration.
@@ -70,12 +72,12 @@ struct Machine {
     slides: Vec<(usize, Place, Place)>,
 }
 
-/// How numbers of a machine are typed.
+/// The format of a machine's numbers.
 #[derive(Clone, Copy)]
 struct Style {
     digits: i32,
     tail: &'static str,
-    /// How far the ground is from the origin.
+    /// The distance of the ground from the origin.
     far: f64,
     rpm: bool,
 }
@@ -125,7 +127,7 @@ impl Machine {
         self.text.push_str("[links]\n");
     }
 
-    /// A link, and points on it by their places in its frame.
+    /// Adds a link, and a point on it by its position in the link's frame.
     fn link(
         &mut self,
         name: &str,
@@ -221,7 +223,7 @@ fn slider_crank(dice: &mut Dice, style: Style) -> Machine {
     m
 }
 
-/// Watt's: the rocker of one four-bar drives another one.
+/// Draws Watt's six-bar: the rocker of one four-bar drives another one.
 fn six_bar(dice: &mut Dice, style: Style) -> Machine {
     let mut m = Machine::new(dice, style);
     let places = [("A", 0.0, 0.0), ("D", 200.0, 0.0), ("G", 300.0, -130.0)];
@@ -248,7 +250,7 @@ fn six_bar(dice: &mut Dice, style: Style) -> Machine {
     m
 }
 
-/// Stephenson's, driven so that its loops are coupled.
+/// Draws Stephenson's six-bar, driven such that its loops are coupled.
 fn coupled(dice: &mut Dice, style: Style) -> Machine {
     let mut m = Machine::new(dice, style);
     let places = [("G", 0.0, 0.0), ("A", -100.0, -200.0), ("D", 100.0, -200.0)];
@@ -276,7 +278,7 @@ fn coupled(dice: &mut Dice, style: Style) -> Machine {
     m
 }
 
-/// The unit vector at an angle in degrees.
+/// Returns the unit vector at an angle in degrees.
 fn direction(degrees: Double) -> Place {
     let near = Double::unit(degrees.hi);
     near.turned(Vec2::new(Double::ONE, Double::exactly(degrees.lo) * RADIAN))
@@ -287,14 +289,14 @@ const RADIAN: Double = Double {
     lo: 2.948_652_270_870_168_7e-19,
 };
 
-/// A linear system in twice the digits, row by row.
+/// A linear system in double-double, row by row.
 struct System {
     n: usize,
     rows: Vec<Vec<Double>>,
 }
 
 impl System {
-    /// Adds a vector to the coefficients of a point that moves.
+    /// Adds a vector to the coefficients of a moving point.
     fn add(row: &mut [Double], unknown: Option<usize>, v: Place) {
         if let Some(at) = unknown {
             row[2 * at] += v.x;
@@ -302,7 +304,7 @@ impl System {
         }
     }
 
-    /// Solved for right sides, by elimination with the largest pivot.
+    /// Solves for right-hand sides, by elimination with the largest pivot.
     fn solve(&self, right: &[Double]) -> Option<Vec<Double>> {
         let n = self.n;
         let mut rows: Vec<Vec<Double>> = self.rows.clone();
@@ -335,7 +337,7 @@ impl System {
     }
 }
 
-/// Where all points are, and how they move with the crank's angle in radians.
+/// The positions of all points, and their derivatives with respect to the crank's angle in radians.
 struct Truth {
     p: Vec<Place>,
     v: Vec<Place>,
@@ -348,7 +350,7 @@ impl Machine {
         moves(&point).then(|| (0..point).filter(moves).count())
     }
 
-    /// From where the points are in doubles to where they are.
+    /// Improves the points' positions in doubles to the true positions.
     fn truth(&self, at: Double, near: &[Vec2]) -> Option<Truth> {
         let count = self.names.len();
         let arm = direction(at).map(|v| v * self.radius);
@@ -393,7 +395,7 @@ impl Machine {
         Some(Truth { p, v, a })
     }
 
-    /// Gradients, and what the rows miss.
+    /// Returns the gradients and the residuals of the rows.
     fn system(&self, p: &[Place]) -> (System, Vec<Double>) {
         let n = 2
             * (0..self.names.len())
@@ -441,8 +443,8 @@ impl Machine {
         (System { n, rows }, misses)
     }
 
-    /// Right sides of the rates, of which those of the points that are led are in `led`; with the first rates, those of
-    /// the second.
+    /// Returns the right-hand sides of the rates, with the rates of the driven points in `led`;
+    /// with the first rates, returns those of the second.
     fn rights(&self, p: &[Place], led: &[Place], first: Option<&[Place]>) -> Vec<Double> {
         let mut rights = Vec::new();
         let known = |i: usize| {
@@ -540,7 +542,7 @@ impl Tally {
             0.0
         };
         let error = (off - Double::exactly(turn)).hi.abs();
-        // What the reference leaves out is below this.
+        // The reference's own error is below this.
         let sure = 1e-26 * (1.0 + truth.hi.abs());
         assert!(
             error <= bound + sure,
@@ -651,7 +653,8 @@ impl Run<'_> {
     }
 }
 
-/// Machines of a kind, each at coordinates of which a part is close to an end of its range.
+/// Measures machines of a kind at several coordinates each, some of them close to an end of the
+/// range.
 fn measure(
     name: &str,
     make: fn(&mut Dice, Style) -> Machine,
@@ -724,7 +727,7 @@ const MACHINES: [(&str, Drawn); 4] = [
     ("coupled six-bars", coupled),
 ];
 
-/// So many values of each kind of machine.
+/// Returns the number of values for each kind of machine.
 fn count() -> usize {
     let count = std::env::var("KRANK_TYPED").ok();
     count.and_then(|count| count.parse().ok()).unwrap_or(10_000)
@@ -737,7 +740,7 @@ const PLAIN: Style = Style {
     rpm: false,
 };
 
-/// How far bounds may be above the error in the median, by [`KINDS`].
+/// Maximum median ratio of bound to error, by [`KINDS`].
 const MEDIANS: [f64; 6] = [1.5, 4.0, 3.0, 3.0, 3.0, 3.0];
 
 fn assert_near(name: &str, medians: [f64; 6]) {
@@ -746,7 +749,7 @@ fn assert_near(name: &str, medians: [f64; 6]) {
 }
 
 #[test]
-fn bounds_of_typed_lengths_are_near_to_the_errors() {
+fn bounds_of_typed_lengths_are_close_to_errors() {
     for digits in [5, 9, 12] {
         for (name, make) in MACHINES {
             let style = Style { digits, ..PLAIN };
@@ -757,7 +760,7 @@ fn bounds_of_typed_lengths_are_near_to_the_errors() {
 }
 
 #[test]
-fn bounds_of_typed_lengths_are_near_at_ends_and_far_away() {
+fn bounds_of_typed_lengths_are_close_at_ends_and_far_away() {
     for (name, make) in MACHINES {
         let style = Style { rpm: true, ..PLAIN };
         let near = format!("{name}, near ends, rpm");
@@ -772,9 +775,9 @@ fn bounds_of_typed_lengths_are_near_at_ends_and_far_away() {
     }
 }
 
-/// Of numbers that are longer than a double, half an ulp is not known.
+/// For numbers longer than a double, half an ulp is unknown.
 #[test]
-fn bounds_of_long_lengths_hold() {
+fn bounds_of_long_lengths_contain_true_values() {
     for (name, make) in MACHINES {
         let style = Style {
             digits: 15,

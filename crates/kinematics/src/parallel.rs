@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn results_come_in_their_order() {
+    fn results_are_in_order() {
         let mut parts = Vec::new();
         let squares = each(100, 3, || (), |(), i| i * i, &mut |part| {
             parts.push(part);
@@ -85,15 +85,15 @@ mod tests {
     }
 
     #[test]
-    fn what_was_done_until_the_stop_comes_out() {
+    fn results_before_stop_are_returned() {
         let found = each(1000, 1, || (), |(), i| i, &mut |part| part < 0.01);
         assert!(!found.is_empty() && found.iter().copied().eq(0..found.len()));
     }
 
-    /// A thread that panicked used to leave its share out, as if nothing had been found there.
+    /// The results of a thread that panicked used to be missing, as if it had found nothing.
     #[test]
     #[should_panic(expected = "a scoped thread panicked")]
-    fn a_panic_is_not_swallowed() {
+    fn panic_is_propagated() {
         let broken = |(): &mut (), i: usize| assert_ne!(i, 7, "broken");
         each(10, 2, || (), broken, &mut |_| true);
     }

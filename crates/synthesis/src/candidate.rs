@@ -1,4 +1,4 @@
-//! A proposal that was driven through its task.
+//! Evaluates a proposal by driving it through its task.
 
 use super::defects::{GivenWay, TaskDefect, crank_way};
 use super::functions::FunctionRun;
@@ -9,72 +9,75 @@ use kinematics::Vec2;
 use kinematics::angle::{TURN, beside, degrees, unit};
 use kinematics::solver::{Condition, Order, Range};
 
-/// What the solver's pin may lie beside the proposal's, in parts of the size of the linkage, and a body beside a pose that
-/// is to be met: an angle in radians.
+/// Tolerance between the solver's pin and the proposal's pin, relative to the linkage's size. Also
+/// the tolerance of a pose that must be met exactly: relative to the size for its position, in
+/// radians for its angle.
 const SAME: f64 = 1e-7;
-/// What the led point of a path may miss of a point, in parts of the path's size: beyond that it is another path.
+/// Maximum distance between a path's led point and a wanted point, relative to the path's size.
+/// Beyond it, the linkage follows another path.
 const FAR: f64 = 0.05;
-/// Linkages that differ by less than this part of their size are one.
+/// Linkages that differ by less than this part of their size count as one.
 const ONE: f64 = 1e-6;
 
-/// A linkage, and what it makes of its task.
+/// A linkage and how well it does its task.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// The linkage, with the driven crank on A.
     pub proposal: Proposal,
-    /// The crank's angle at every point, in degrees, counted on in the order of the task.
+    /// The crank's angle at every point, in degrees, counted continuously in the order of the task.
     pub at: Vec<f64>,
-    /// Why it does not do its task; none where it does.
+    /// The reasons why the linkage does not do its task; empty if it does.
     pub defects: Vec<TaskDefect>,
-    /// Which wishes it does not keep.
+    /// The preferences that the linkage does not meet.
     pub missed: Vec<MissedWish>,
-    /// What else is to be said of it.
+    /// Further values of the linkage.
     pub figures: CandidateFigures,
 }
 
-/// Figures of a candidate.
+/// Values of a candidate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CandidateFigures {
     /// Whether the crank turns fully.
     pub full_turn: bool,
-    /// The least transmission angle on the way, in degrees: from the first point to the last, over the whole range of a
-    /// formula, over a whole turn of a closed path.
+    /// The minimum transmission angle over the task, in degrees: from the first point to the last,
+    /// over the whole range of a formula, or over a whole turn for a closed path.
     pub transmission: f64,
-    /// The least transmission angle of the whole motion, over a whole turn or from stop to stop, in degrees: 0 where the
-    /// crank only swings, from dead point to dead point.
+    /// The minimum transmission angle of the whole motion, in degrees: over a whole turn, or from
+    /// stop to stop. It is 0 if the crank only swings, from dead point to dead point.
     pub transmission_throughout: f64,
-    /// The longest length over the shortest, the ground's among them.
+    /// The ratio of the longest length to the shortest, including the ground's length.
     pub ratio: f64,
-    /// By how much the led point, or the output, misses at worst of the points that it comes to; of a formula anywhere in
-    /// its range.
+    /// The maximum miss of the led point, or of the output, over the reached points; for a formula,
+    /// over its whole range.
     pub miss: f64,
-    /// The same by root mean square, with the weights of the points.
+    /// The root mean square of the misses, with the weights of the points.
     pub rms: f64,
-    /// By how much the body's angle misses at worst, in degrees; of poses only.
+    /// The maximum miss of the body's angle, in degrees; 0 except for poses.
     pub angle_miss: f64,
 }
 
-/// A wish that is not kept.
+/// A preference that a candidate does not meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MissedWish {
     /// The crank does not turn fully.
     FullTurn,
-    /// The transmission angle is less.
+    /// The transmission angle is below the wanted minimum.
     Transmission,
-    /// A pivot lies outside.
+    /// A pivot lies outside the given box.
     Inside,
-    /// Lengths are too unlike.
+    /// The ratio of the lengths exceeds the wanted maximum.
     Ratio,
-    /// The crank turns the other way.
+    /// The crank turns in the opposite sense.
     Sense,
 }
 
 impl Candidate {
-    /// Drives a proposal through the task: as it is, and at its other pivot; the better one, whichever was proposed.
+    /// Drives a proposal through the task, both as proposed and at its other pivot, and returns the
+    /// better candidate.
     #[must_use]
     pub fn judge(task: &Task, proposal: &Proposal) -> Candidate {
         let own = Candidate::driven(task, proposal.clone());
-        // Where its angles are given, the crank is given.
+        // A task that gives the crank's angles also determines which link is the crank.
         let is_given = match &task.kind {
             TaskKind::Function(_) => true,
             TaskKind::Path(path) => path.turns.is_some(),
@@ -126,7 +129,7 @@ impl Candidate {
             ratio: proposal.ratio(),
             ..CandidateFigures::default()
         };
-        // What lies in another assembly was named.
+        // Points in another assembly already have a defect.
         let reach = defects.iter().filter_map(TaskDefect::place).min();
         let points = reach.unwrap_or(at.len());
         let drive = TaskDrive {
@@ -143,7 +146,7 @@ impl Candidate {
             match run.and_then(|run| OutputMisses::of(function, &run)) {
                 Some(misses) => {
                     (figures.miss, figures.rms) = (misses.worst, misses.rms);
-                    // On another branch it misses for that reason.
+                    // On another branch, the miss follows from the branch defect.
                     if defects.is_empty() && !misses.follows() {
                         defects.push(TaskDefect::StructuralError);
                     }
@@ -162,13 +165,14 @@ impl Candidate {
         }
     }
 
-    /// Whether it does its task.
+    /// Returns `true` if the linkage does its task.
     #[must_use]
     pub fn does_it(&self) -> bool {
         self.defects.is_empty()
     }
 
-    /// How many defects, and wishes that are not kept; whether the crank only swings; and the less transmission the worse.
+    /// Returns the sorting key, lower is better: the numbers of defects and of unmet preferences,
+    /// whether the crank only swings, and the negative transmission angle.
     fn standing(&self) -> (usize, usize, bool, f64) {
         let CandidateFigures {
             full_turn,
@@ -183,7 +187,7 @@ impl Candidate {
         )
     }
 
-    /// Whether two are one but for rounding.
+    /// Returns `true` if both candidates are the same linkage up to rounding.
     #[must_use]
     pub fn is_same(&self, other: &Candidate) -> bool {
         let same = |a: &Proposal, b: &Proposal| {
@@ -208,12 +212,12 @@ impl Candidate {
 }
 
 impl TaskDefect {
-    /// The first point that is not come to.
+    /// Returns the first point that the linkage does not reach.
     #[must_use]
     pub fn place(&self) -> Option<usize> {
         match self {
             TaskDefect::Unopened => Some(0),
-            // Of a closed path it may lie behind the last.
+            // In a closed path, the change may be between the last point and the first.
             TaskDefect::Branch { from, to } | TaskDefect::Circuit { from, to } => {
                 (from < to).then_some(*to)
             }
@@ -226,7 +230,7 @@ impl TaskDefect {
     }
 }
 
-/// A linkage on its way.
+/// A linkage driven through a task.
 struct TaskDrive<'a> {
     task: &'a Task,
     proposal: &'a Proposal,
@@ -234,11 +238,15 @@ struct TaskDrive<'a> {
 }
 
 impl TaskDrive<'_> {
-    /// By how much it misses each point, by the solver's figures alone. The point of a path that is missed most, as far as
-    /// it counts, where that is another path.
+    /// Measures the misses at all points by the solver's values alone, and writes them to
+    /// `figures`.
+    ///
+    /// Returns the point of a path with the largest weighted miss if that miss exceeds `FAR`
+    /// times the path's size.
     ///
     /// # Errors
-    /// The point at which the solver does not find the linkage where it was proposed, or the body in its pose.
+    /// The point at which the solver does not find the linkage where it was proposed, or the body
+    /// in its pose.
     fn measure(&self, at: &[f64], figures: &mut CandidateFigures) -> Result<Option<usize>, usize> {
         let Machine {
             solver,
@@ -291,7 +299,7 @@ impl TaskDrive<'_> {
                     }
                     ((p - points[point]).norm(), 0.0, weight)
                 }
-                // Told of the whole range, below.
+                // Measured over the whole range by the caller.
                 TaskKind::Function(_) => (0.0, 0.0, 1.0),
             };
             figures.miss = figures.miss.max(miss);
@@ -308,7 +316,7 @@ impl TaskDrive<'_> {
     }
 }
 
-/// What the task says of the crank's way.
+/// Returns the crank's motion as far as the task gives it.
 fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenWay {
     let first = proposal.places.first();
     let begin = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
@@ -328,10 +336,10 @@ fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> Giv
     }
 }
 
-/// The crank's least and greatest angle on the way.
+/// Returns the crank's minimum and maximum angle over the task, in degrees.
 fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) -> (f64, f64) {
     let way: Vec<f64> = match (&task.kind, run, range) {
-        // By the run's own count alone: `at` may count from another turn.
+        // Only the run's own count applies: `at` may count from another turn.
         (TaskKind::Function(task), Some(run), _) => {
             let pairs = task.pairs.iter().chain(&task.between);
             pairs.map(|[x, _]| run.crank(*x)).collect()
@@ -347,8 +355,11 @@ fn way_ends(task: &Task, at: &[f64], run: Option<&FunctionRun>, range: Range) ->
         .fold(ends, |(low, high), angle| (low.min(angle), high.max(angle)))
 }
 
-/// The least angle between coupler and rocker, or between coupler and the normal of the guide, over the crank's way: it
-/// turns at the ends, and where the crank lies on the line of the pivots or stands square to the guide.
+/// Returns the minimum angle between coupler and rocker, or between coupler and the guide's normal,
+/// in degrees, over a range of crank angles.
+///
+/// Its extrema are at the range's ends, and where the crank lies on the line of the pivots or is
+/// perpendicular to the guide.
 fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
     let Some((crank, coupler, rocker)) = proposal.lengths() else {
         return 0.0;
@@ -405,7 +416,7 @@ fn missed(
     }
     let most = wishes.ratio.unwrap_or(f64::INFINITY);
     wish(figures.ratio <= most, MissedWish::Ratio);
-    // Of points in any order the crank may come to each from either side.
+    // If the points have no order, the crank may reach each from either side.
     let sense = wishes.sense.filter(|_| wishes.ordered);
     if let (Some(sense), Some(first), Some(last)) = (sense, at.first(), at.last()) {
         let turns = match sense {
@@ -417,7 +428,7 @@ fn missed(
     missed
 }
 
-/// Whether a place lies in the box of two opposite corners.
+/// Returns `true` if a point lies in the box of two opposite corners.
 #[must_use]
 pub fn is_inside([one, other]: [Vec2; 2], p: Vec2) -> bool {
     let between = |v: f64, a: f64, b: f64| a.min(b) <= v && v <= a.max(b);

@@ -1,33 +1,39 @@
-//! The other linkages whose tracer draws the same curve (Roberts, 1875; Chebyshev, 1878).
+//! Cognate linkages: the other linkages whose tracer draws the same curve (Roberts, 1875;
+//! Chebyshev, 1878).
 //!
-//! Read as complex numbers, a four-bar A, B, C, D carries its tracer at P = B + k (C - B), k a constant. Then
+//! Read as complex numbers, a four-bar A, B, C, D carries its tracer at P = B + k (C - B), k a
+//! constant. Then
 //!
 //! ```text
 //! E = A + (P - B),  F = E + k (B - A),  G = A + k (D - A)      F - G = k (C - D)
 //! E = D + (P - C),  F = E + (1 - k) (C - D)                    F - G = (1 - k) (B - A)
 //! ```
 //!
-//! so that A-E-F-G and G-F-E-D are four-bars too, each with a coupler that is similar to the first one's and carries the
-//! same P. The links at A and D of both turn as the first coupler does. The link at G turns as the first rocker in the
-//! former and as the first crank in the latter: this one keeps the times, and is driven at G.
+//! so that A-E-F-G and G-F-E-D are four-bars too. Both have a coupler similar to the first one's,
+//! which carries the same P. The links at A and D of both turn as the first coupler does. The link
+//! at G turns as the first rocker in the former and as the first crank in the latter. The latter is
+//! driven at G and keeps the times.
 //!
-//! Of a slider-crank D lies at infinity: F - A = k (C - A) runs along a line that is turned by the angle of k. There is
-//! one cognate, whose crank turns as the first coupler does.
+//! For a slider-crank, D lies at infinity: F - A = k (C - A) runs along a line turned by the angle
+//! of k. There is one cognate, whose crank turns as the first coupler does.
 //!
-//! Dijksman, Motion Geometry of Mechanisms (1976), chapter 7, has both.
+//! Dijksman, Motion Geometry of Mechanisms (1976), chapter 7, covers both.
 
 use super::{Partner, Proposal};
 use kinematics::{Vec2, angle};
 
-/// A pin that lies nearer to another than this part of the linkage's largest length is on it.
+/// Pins nearer to each other than this part of the linkage's largest length coincide.
 const TOGETHER: f64 = 1e-12;
 
 impl Proposal {
-    /// The other linkages whose tracer draws the same curve: two of a four-bar, the one that keeps the times last; one of a
-    /// slider-crank. Fewer where a cognate has a link without a length: the tracer is on B, or on C. None without a
-    /// tracer, and none of a coupler without a length.
+    /// Returns the cognates: two for a four-bar, with the one that keeps the times last, and one
+    /// for a slider-crank.
     ///
-    /// Their pins are at every point where those of this one are, and the sizes are the task's.
+    /// A cognate with a link of zero length is left out: then the tracer is on B or on C. The
+    /// result is empty without a tracer, or if the coupler has zero length.
+    ///
+    /// At every point, the cognates' pins are given for the same position of the tracer; their
+    /// sizes are in the task's unit.
     #[must_use]
     pub fn cognates(&self) -> Vec<Proposal> {
         let (Some(&[b, c]), Some(tracer)) = (self.places.first(), self.tracer) else {
@@ -42,7 +48,7 @@ impl Proposal {
         all.into_iter().filter(Proposal::is_one).collect()
     }
 
-    /// A, E, F, G.
+    /// Returns the cognate A, E, F, G.
     fn at_crank(&self, ratio: Vec2, d: Vec2) -> Proposal {
         let a = self.pivot;
         Proposal {
@@ -53,7 +59,7 @@ impl Proposal {
         }
     }
 
-    /// G, F, E, D.
+    /// Returns the cognate G, F, E, D.
     fn at_rocker(&self, ratio: Vec2, d: Vec2) -> Proposal {
         let rest = Vec2::X - ratio;
         let place = |&[b, c]: &[Vec2; 2]| {
@@ -78,7 +84,7 @@ impl Proposal {
         }
     }
 
-    /// Whether every link has a length, and every number is one.
+    /// Returns `true` if every link has a length and all numbers are finite.
     fn is_one(&self) -> bool {
         let Some((crank, coupler, rocker)) = self.lengths() else {
             return false;
@@ -93,12 +99,12 @@ impl Proposal {
     }
 }
 
-/// The pivot that belongs to neither crank nor rocker.
+/// Returns the pivot G, which belongs to neither the original crank nor the original rocker.
 fn third(a: Vec2, d: Vec2, ratio: Vec2) -> Vec2 {
     a + (d - a).turned(ratio)
 }
 
-/// E and F of a crank about `a` with pins B and C.
+/// Returns E and F for a crank about `a` with the pins B and C.
 fn pins(a: Vec2, [b, c]: [Vec2; 2], ratio: Vec2) -> [Vec2; 2] {
     let e = a + (c - b).turned(ratio);
     [e, e + (b - a).turned(ratio)]
@@ -110,10 +116,10 @@ mod tests {
     use crate::planted::{PlantedDrive, tracer};
     use kinematics::numeric::SeededChance;
 
-    /// Each cognate by its own lengths: driven by its own crank from its first place it draws the points of the first
-    /// linkage, at every angle that this one goes through.
+    /// Drives each cognate by its own crank with its own lengths: it must draw the points of the
+    /// first linkage at every angle.
     #[test]
-    fn cognates_draw_the_same_curve() {
+    fn cognates_draw_same_curve() {
         let mut chance = SeededChance::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
         for _ in 0..3000 {
@@ -135,7 +141,8 @@ mod tests {
             }
             for cognate in &found {
                 holds(&first, cognate);
-                // The cognates of a cognate are the first and the other one: the family is closed.
+                // The cognates of a cognate are the first linkage and the other cognate: the family
+                // is closed.
                 let family = cognate.cognates();
                 let is_back = |p: &Proposal| (p.pivot - first.pivot).norm() < 1e-9 * planted.size();
                 assert!(
@@ -151,7 +158,7 @@ mod tests {
         assert!(four_bars > 50 && sliders > 25, "{four_bars} {sliders}");
     }
 
-    /// Lengths stay, and so does the curve.
+    /// Checks that the cognate's lengths stay constant and that it draws the same curve.
     fn holds(first: &Proposal, cognate: &Proposal) {
         let (crank, coupler, rocker) = cognate.lengths().unwrap();
         let ground = match cognate.partner {
@@ -178,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn the_last_cognate_of_a_four_bar_keeps_the_times() {
+    fn last_four_bar_cognate_keeps_times() {
         let mut chance = SeededChance::new(5);
         let turns: Vec<f64> = (0..40).map(|k| 9.0 * f64::from(k)).collect();
         let first = loop {
@@ -196,9 +203,9 @@ mod tests {
         }
     }
 
-    /// The tracer on the line of the coupler, on a pin, and on nothing.
+    /// Places the tracer on the coupler's line and on a pin, and leaves it out.
     #[test]
-    fn a_coupler_that_is_a_line_has_cognates_and_a_tracer_on_a_pin_has_not_all() {
+    fn tracer_on_pin_has_fewer_cognates() {
         let turns: Vec<f64> = (0..120).map(|k| 3.0 * f64::from(k)).collect();
         let bar = |arm| PlantedDrive {
             pivot: Vec2::new(3.0, -1.0),
@@ -217,7 +224,8 @@ mod tests {
             assert_eq!(found.len(), 2);
             found.iter().for_each(|cognate| holds(&first, cognate));
         }
-        // On B the curve is the crank's circle, on C the rocker's: one of the others has a link without a length.
+        // With the tracer on B the curve is the crank's circle, on C the rocker's. One of the
+        // cognates then has a link of zero length.
         for arm in [Vec2::ZERO, Vec2::X] {
             let first = bar(arm).proposal(&turns).unwrap();
             let found = first.cognates();

@@ -1,57 +1,61 @@
-//! What keeps a linkage from doing its task, decided by the signs of its assembly and the range of its crank.
+//! Finds the reasons why a linkage does not do its task, from the signs of its assembly and the
+//! range of its crank.
 
 use super::way::{self, Way};
 use super::{Partner, Proposal, Wishes};
 use kinematics::angle::{degrees, unit};
 use kinematics::solver::Range;
 
-/// A pin within this part of a right angle from where both assemblies meet lies in both.
+/// Sine of the transmission angle up to which a linkage is at a dead point, where both assemblies
+/// meet.
 const MEETS: f64 = 1e-7;
 
 /// Why a linkage does not do its task; points are counted from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TaskDefect {
-    /// Its numbers are none, or it cannot be opened at the first point, as where it stands in a dead point there.
+    /// A number is not finite, or the linkage cannot be opened at the first point, for example
+    /// because it is at a dead point there.
     Unopened,
-    /// Between these points coupler and rocker would have to pass a dead point of the crank.
+    /// Between these points, coupler and rocker would have to pass a dead point of the crank.
     Branch {
         /// The last point in one assembly.
         from: usize,
-        /// The first in the other.
+        /// The first point in the other assembly.
         to: usize,
     },
-    /// Between these points it would have to be taken apart.
+    /// Between these points, the linkage would have to be taken apart.
     Circuit {
         /// The last point on one circuit.
         from: usize,
-        /// The first on the other.
+        /// The first point on the other circuit.
         to: usize,
     },
-    /// From the first of these points to the second the crank has to turn back.
+    /// Between these points, the crank has to turn back.
     Order {
-        /// Where it turns back.
+        /// The point at which it turns back.
         from: usize,
-        /// Where it goes then.
+        /// The next point after turning back.
         to: usize,
     },
-    /// It comes to every pair, but does not close over the whole range of its function.
+    /// The linkage reaches every pair, but does not close over the whole range of its function.
     Short,
-    /// It closes over the whole range of its function, but misses it by more than a tenth of the output's swing, in the root
-    /// of the mean square: it comes to the pairs, if at all, on other ways than the function's.
+    /// The linkage closes over the whole range of its function, but its root mean square error
+    /// exceeds a tenth of the output's swing. It may reach the pairs, but follows another curve
+    /// between them.
     StructuralError,
-    /// It does not come to this point, by the solver's figure: a proposal that was none.
+    /// The linkage does not reach this point according to the solver: the proposal was wrong.
     Missed {
         /// The point.
         point: usize,
     },
-    /// The led point of a path passes this point at a distance that is no small part of the path's size.
+    /// The led point of a path misses this point by more than a small part of the path's size.
     Far {
-        /// The point that is missed most, as far as it counts.
+        /// The point with the largest weighted miss.
         point: usize,
     },
 }
 
-/// On which side of its dead points a linkage stands: 0 where it stands in one.
+/// Returns the side of its dead points on which a linkage is, as a sign: 0 at a dead point.
 pub(super) fn side(proposal: &Proposal, point: usize) -> f64 {
     let Some([b, c]) = proposal.places.get(point).copied() else {
         return 0.0;
@@ -67,16 +71,17 @@ pub(super) fn side(proposal: &Proposal, point: usize) -> f64 {
     }
 }
 
-/// What a task says of the crank's way, beside its wishes.
+/// Facts about the crank's motion that the task gives, apart from its preferences.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct GivenWay {
-    /// The crank's angle at every point, where the task gives it: in degrees, counted on.
+    /// The crank's angle at every point if the task gives it, in degrees, counted continuously.
     pub(super) turned: Option<Vec<f64>>,
-    /// Whether it comes back to the first point.
+    /// Whether the path returns to the first point.
     pub(super) closed: bool,
 }
 
-/// The crank's angle at every point in the order of the task, and what is wrong with it.
+/// Returns the crank's angle at every point in the order of the task, in degrees, and the defects
+/// of this motion.
 pub(super) fn crank_way(
     proposal: &Proposal,
     range: Range,
@@ -109,7 +114,7 @@ pub(super) fn crank_way(
     let told = found.iter().zip(&angles);
     let at = told.map(|(at, angle)| at.unwrap_or(*angle)).collect();
     let mut defects = passages(proposal, range, &is_here, way.closed);
-    // Who swings comes back the way on which it went.
+    // A crank that only swings returns on the path on which it came.
     if way.closed && limits.is_some() {
         turns_back = turns_back.or(Some(0));
     }
@@ -120,11 +125,12 @@ pub(super) fn crank_way(
     (at, defects)
 }
 
-/// Between which neighbouring points the assembly changes; of a closed path the last comes before the first.
+/// Returns the defects between neighbouring points where the assembly changes. In a closed path,
+/// the last point also precedes the first.
 fn passages(proposal: &Proposal, range: Range, is_here: &[bool], closed: bool) -> Vec<TaskDefect> {
     let mut found = Vec::new();
     let points = is_here.len();
-    // A point in a dead point belongs to both sides: it has the one that was there before.
+    // A point at a dead point belongs to both sides: it takes the side of the point before it.
     let mut before = (
         0,
         is_here.first().copied().unwrap_or(true),

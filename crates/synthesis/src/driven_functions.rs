@@ -1,11 +1,11 @@
-//! What is told of planted linkages when they are driven, against figures of the test's own formulas.
+//! Tests of driving linkages with a known solution, against formulas of the tests' own.
 
 use super::{
     Candidate, FunctionTask, Given, Output, Task, TaskDefect, TaskKind, Wishes,
     functions::FunctionSearch,
 };
 
-/// A planted function with its crank at x degrees, and the output at y.
+/// A function with a known solution: the crank is at x degrees and the output at y.
 struct PlantedRange {
     output: Output,
     lengths: [f64; 3],
@@ -20,12 +20,12 @@ impl PlantedRange {
         let (x, y) = (a * cos, a * sin);
         match self.output {
             Output::Angle => {
-                // From D to B, and by the law of cosines on to C.
+                // The direction from D to B, plus the angle to C by the law of cosines.
                 let (dx, dy) = (x - 1.0, y);
                 let square = dx * dx + dy * dy;
                 let cosine = (square + c * c - b * b) / (2.0 * c * square.sqrt());
                 let angle = dy.atan2(dx) + self.side * cosine.acos();
-                // From 0 to a turn, where it does not jump.
+                // In the range from 0 to a turn, where it does not jump.
                 angle.to_degrees().rem_euclid(360.0)
             }
             Output::Slide => x + self.side * (b * b - (c - y) * (c - y)).sqrt(),
@@ -38,7 +38,7 @@ impl PlantedRange {
         places.map(|x| [x, self.at(x)]).collect()
     }
 
-    /// Three pairs, and 180 parts between.
+    /// Creates the task with three pairs and 180 intervals in its range.
     fn task(&self) -> Task {
         let one = Given::Value(1.0);
         Task {
@@ -58,7 +58,7 @@ impl PlantedRange {
         }
     }
 
-    /// The angle between coupler and rocker, or the guide's normal, at an angle of the crank.
+    /// Returns the angle between the coupler and the rocker, or the guide's normal, in degrees.
     fn transmission(&self, angle: f64) -> f64 {
         let (sin, cos) = angle.to_radians().sin_cos();
         let [a, b, c] = self.lengths;
@@ -79,16 +79,18 @@ impl PlantedRange {
     }
 }
 
-/// What comes to every pair, but errs between them by more than a tenth of the swing, does not follow its function.
+/// A linkage that reaches every pair but errs between them by more than a tenth of the swing does
+/// not follow its function.
 #[test]
-fn a_linkage_that_strays_between_the_pairs_is_a_defect() {
+fn straying_between_pairs_is_structural_error() {
     let planted = PlantedRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],
         side: 1.0,
         ends: [20.0, 60.0],
     };
-    // A wave that is 0 at all three pairs: its root mean square is its height by the root of 2.
+    // A wave that is zero at all three pairs: its root mean square is its height divided by the
+    // root of 2.
     let judged = |part: f64| {
         let mut task = planted.task();
         let TaskKind::Function(function) = &mut task.kind else {
@@ -119,9 +121,10 @@ fn a_linkage_that_strays_between_the_pairs_is_a_defect() {
     assert_eq!(far.defects, [TaskDefect::StructuralError]);
 }
 
-/// The solver counts the crank of a linkage that swings from another turn than the task does.
+/// For a swinging linkage, the solver may count the crank's angle from another turn than the task
+/// does.
 #[test]
-fn the_least_transmission_is_that_of_the_way() {
+fn minimum_transmission_angle_is_over_task_range() {
     let swings = |ends| PlantedRange {
         output: Output::Angle,
         lengths: [1.2, 0.9, 0.8],

@@ -5,7 +5,8 @@ use kinematics::angle::degrees;
 use kinematics::solver::Solver;
 use kinematics::{Body, Driver, Input, LinkId, Mechanism, PointId};
 
-/// A proposal as a mechanism, opened at the first point of its task, with the elements that are measured.
+/// A proposal as a mechanism, opened at the first point of its task, with the elements to be
+/// measured.
 #[derive(Debug)]
 pub(crate) struct Machine {
     pub(crate) solver: Solver,
@@ -18,13 +19,13 @@ pub(crate) struct Machine {
 }
 
 impl Machine {
-    /// Builds the mechanism of a proposal and plans its solution. `None` if the proposal has no places, its lengths are
-    /// no lengths, or it cannot be assembled.
+    /// Builds the mechanism of a proposal and plans its solution. Returns `None` if the proposal
+    /// has no places, if a length is not valid, or if it cannot be assembled.
     pub(crate) fn open(task: &Task, proposal: &Proposal) -> Option<Machine> {
         let [at_b, at_c] = *proposal.places.first()?;
         let (crank_length, coupler_length, rocker_length) = proposal.lengths()?;
         let mut builder = Mechanism::builder();
-        // As in the scene file of the proposal, numbers are compared as the decimals that they are written as.
+        // As in the scene file of the proposal, numbers are compared by their written decimals.
         builder.decimals();
         let a = builder.ground_point(proposal.pivot.x, proposal.pivot.y);
         let [b, c] = [builder.moving_point(), builder.moving_point()];

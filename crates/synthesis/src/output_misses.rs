@@ -1,18 +1,19 @@
-//! By how much the output of a linkage misses its function.
+//! Measures the error of a linkage's output against its function.
 
 use super::FunctionTask;
 use super::functions::{FunctionRun, USELESS};
 
-/// By how much an output misses what is wanted of it, in degrees or in lengths of the task.
+/// Errors of an output, in degrees or in lengths of the task.
 pub(super) struct OutputMisses {
     pub(super) worst: f64,
     pub(super) rms: f64,
-    /// How far it is to go.
+    /// The range of the wanted output.
     swing: f64,
 }
 
 impl OutputMisses {
-    /// Over the range where that is known, else at the pairs. `None` where it does not close.
+    /// Measures the errors over the function's whole range if it is known, or else at the pairs.
+    /// Returns `None` if the linkage does not close.
     pub(super) fn of(task: &FunctionTask, run: &FunctionRun) -> Option<OutputMisses> {
         let mut worst = 0.0_f64;
         for [x, y] in &task.pairs {
@@ -35,7 +36,7 @@ impl OutputMisses {
         })
     }
 
-    /// Whether it still follows its function.
+    /// Returns `true` if the output still follows its function.
     pub(super) fn follows(&self) -> bool {
         self.rms <= USELESS * self.swing
     }

@@ -1,25 +1,26 @@
-//! Linkages of which tests plant the motion, by formulas of their own: two circles, or a circle and a line, by the law of
-//! cosines.
+//! Linkages with a known motion, computed by the tests' own formulas: two circles, or a circle and
+//! a line, by the law of cosines.
 
 use super::{Partner, Proposal};
 use kinematics::numeric::SeededChance;
 use kinematics::{Vec2, angle};
 
-/// A linkage by its lengths.
+/// A linkage, given by its lengths.
 #[derive(Clone, Debug)]
 pub(super) struct PlantedDrive {
     pub(super) pivot: Vec2,
-    /// Of a slide the angle; its line goes by A at the distance `rocker`.
+    /// The other pivot, or the slide's angle; the slide's line passes A at the distance `rocker`.
     pub(super) far: Partner,
     pub(super) crank: f64,
     pub(super) coupler: f64,
     pub(super) rocker: f64,
-    /// The tracer in the coupler's length from B, along B-C and across.
+    /// The tracer relative to B in coupler lengths, along B-C and perpendicular to it.
     pub(super) arm: Vec2,
-    /// The crank's first angle.
+    /// The crank's first angle, in degrees.
     pub(super) start: f64,
     pub(super) sign: f64,
-    /// The least part of the coupler that stands across: it keeps away from dead points.
+    /// The minimum part of the coupler perpendicular to the base line: it keeps the linkage away
+    /// from dead points.
     pub(super) across: f64,
 }
 
@@ -51,7 +52,7 @@ impl PlantedDrive {
         }
     }
 
-    /// The longest length.
+    /// Returns the longest length.
     pub(super) fn size(&self) -> f64 {
         let ground = match self.far {
             Partner::Rocker(d) => (d - self.pivot).norm(),
@@ -61,7 +62,8 @@ impl PlantedDrive {
         lengths.into_iter().fold(0.0, f64::max)
     }
 
-    /// B, C and the tracer; `None` near a dead point and beyond.
+    /// Returns B, C and the tracer at a rotation of the crank, in degrees; `None` near a dead point
+    /// and beyond it.
     pub(super) fn at(&self, turn: f64) -> Option<[Vec2; 3]> {
         let b = self.pivot + angle::unit(self.start + turn) * self.crank;
         let (e, x) = match self.far {
@@ -84,7 +86,8 @@ impl PlantedDrive {
         Some([b, c, b + (c - b).turned(self.arm)])
     }
 
-    /// The linkage at these turns of its crank, if it comes there.
+    /// Returns the linkage as a proposal at these rotations of its crank; `None` if it does not
+    /// reach one of them.
     pub(super) fn proposal(&self, turns: &[f64]) -> Option<Proposal> {
         let all: Option<Vec<_>> = turns.iter().map(|turn| self.at(*turn)).collect();
         let all = all?;
@@ -97,7 +100,7 @@ impl PlantedDrive {
     }
 }
 
-/// Where a proposal's tracer is at a point of the task.
+/// Returns the position of a proposal's tracer at a point of the task.
 pub(super) fn tracer(proposal: &Proposal, point: usize) -> Vec2 {
     let [b, c] = proposal.places[0];
     let k = c - b;

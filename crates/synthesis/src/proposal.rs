@@ -1,73 +1,78 @@
-//! A linkage that a method proposes.
+//! Proposed linkages and dyads.
 
 use kinematics::Vec2;
 
-/// What holds the second moving pin.
+/// The element that holds the second moving pin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Partner {
-    /// A link on a pivot of the ground.
+    /// A link on a ground pivot at this position.
     Rocker(Vec2),
     /// A slide on the ground through the pin, at this angle in degrees.
     Slide(f64),
 }
 
-/// A four-bar or a slider-crank with crank A-B, coupler B-C, and a rocker C-D or a slide at C, by where its moving pins
-/// are to be at every point of the task. All lengths follow from the first.
+/// A four-bar or a slider-crank with crank A-B, coupler B-C, and a rocker C-D or a slide at C. It
+/// is defined by the positions of its moving pins at every point of the task. All lengths follow
+/// from the first.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proposal {
-    /// A: the crank's pivot.
+    /// The position of A, the crank's pivot.
     pub pivot: Vec2,
-    /// What holds C.
+    /// The element that holds C.
     pub partner: Partner,
     /// B and C at every point of the task, in the task's order.
     pub places: Vec<[Vec2; 2]>,
-    /// The point of the coupler that is led, at the first point: of a pose its origin. A function leads none.
+    /// The guided point of the coupler at the first point of the task: the origin of a pose, or the
+    /// tracer of a path. `None` for a function.
     pub tracer: Option<Vec2>,
 }
 
-/// A link between a pivot of the ground and a pin of the body that is led, or a slide of such a pin.
+/// A dyad: a link between a ground pivot and a pin of the guided body, or a slide of such a pin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosedDyad {
-    /// What holds the pin.
+    /// The element that holds the pin.
     pub held: Partner,
-    /// The pin, where it is at the first point of the task.
+    /// The pin's position at the first point of the task.
     pub pin: Vec2,
 }
 
-/// What a method proposes.
+/// The proposals of a method.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Proposals {
     /// The linkages, in any order.
     pub found: Vec<Proposal>,
-    /// Whether there are no others: a search with many starts proves nothing.
+    /// Whether these are all linkages; a search from many starts proves no completeness.
     pub is_complete: bool,
-    /// Why there are none, or why there may be others; none where a search says no more than what it found.
+    /// The reason why there are no linkages, or why there may be others; `None` if the search makes
+    /// no statement about this.
     pub reason: Option<OpenReason>,
-    /// Of four poses the pieces of the curves on which every pivot and its pin lie, in the order of the curve.
+    /// For four poses, the pieces of the curves on which every pivot and its pin lie, in the order
+    /// of the curve.
     pub curves: Vec<Vec<PosedDyad>>,
 }
 
-/// Why a method proposes nothing, or cannot tell whether there are others.
+/// The reason why a method proposes no linkages, or cannot decide whether there are others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum OpenReason {
-    /// Coordinates are too large or too small to be computed with.
+    /// Coordinates are too large or too small to compute with.
     Range,
-    /// All poses are turns about this point of the ground: a pivot there leads the body, and nothing else.
+    /// All poses are rotations about this ground point: only a pivot there guides the body.
     Turn(Vec2),
-    /// The body does not turn, and its places are on no circle.
+    /// The body does not turn, and its positions are not on a circle.
     Shift,
-    /// No link and no slide holds what is given in all poses.
+    /// No link or slide holds a given pivot or pin in all poses.
     Given,
-    /// No two of the links and slides that lead through the poses are a linkage of a kind that is looked for.
+    /// No two links or slides through the poses form a linkage of a wanted kind.
     NoPair,
-    /// What leads through the poses lies far away, or has lengths out of all proportion.
+    /// The linkages through the poses are far away, or have disproportionate lengths.
     Far,
     /// The poses nearly repeat: their rounding leaves open whether there are others.
     Rounding,
 }
 
 impl Proposal {
-    /// The lengths: crank, coupler, and rocker where there is one.
+    /// Returns the lengths of crank, coupler and rocker; a slider-crank has no rocker. Returns
+    /// `None` without places.
     #[must_use]
     pub fn lengths(&self) -> Option<(f64, f64, Option<f64>)> {
         let [b, c] = *self.places.first()?;
@@ -78,7 +83,7 @@ impl Proposal {
         Some(((b - self.pivot).norm(), (c - b).norm(), rocker))
     }
 
-    /// All of them, as far as they exist: crank, coupler, rocker, and the distance of the pivots.
+    /// Returns the lengths of crank, coupler, rocker and ground, as far as they exist.
     #[must_use]
     pub fn all_lengths(&self) -> [Option<f64>; 4] {
         let Some((crank, coupler, rocker)) = self.lengths() else {
@@ -91,27 +96,27 @@ impl Proposal {
         [Some(crank), Some(coupler), rocker, ground]
     }
 
-    /// The longest of all lengths; 0 where there is none.
+    /// Returns the longest length; 0 if there is none.
     #[must_use]
     pub fn longest(&self) -> f64 {
         let all = self.all_lengths().into_iter().flatten();
         all.fold(0.0, f64::max)
     }
 
-    /// The shortest of all lengths; infinite where there is none.
+    /// Returns the shortest length; infinity if there is none.
     #[must_use]
     pub fn shortest(&self) -> f64 {
         let all = self.all_lengths().into_iter().flatten();
         all.fold(f64::INFINITY, f64::min)
     }
 
-    /// The longest of all lengths by the shortest.
+    /// Returns the ratio of the longest length to the shortest.
     #[must_use]
     pub fn ratio(&self) -> f64 {
         self.longest() / self.shortest()
     }
 
-    /// The same linkage, driven at its other pivot; a slide drives nothing.
+    /// Returns this linkage driven at its other pivot; `None` for a slider-crank.
     #[must_use]
     pub fn swapped(&self) -> Option<Proposal> {
         let Partner::Rocker(d) = self.partner else {

@@ -1,4 +1,5 @@
-//! From the motion of a planted linkage to a task, and by [`Synthesis::run`] back to it; and figures against the solver's own.
+//! Round trips: the motion of a known linkage becomes a task, and [`Synthesis::run`] finds the
+//! linkage again. Also compares values with the solver's own.
 
 use super::machine::Machine;
 use super::planted::PlantedDrive;
@@ -26,7 +27,7 @@ fn task(kind: TaskKind) -> Task {
     }
 }
 
-/// Poses of the coupler, with the tracer as its origin.
+/// Returns the poses of the coupler, with the tracer as its origin.
 fn poses(proposal: &Proposal) -> Vec<Pose> {
     let places = proposal.places.iter().enumerate();
     let pose = |(point, [b, c]): (usize, &[Vec2; 2])| Pose {
@@ -36,7 +37,8 @@ fn poses(proposal: &Proposal) -> Vec<Pose> {
     places.map(pose).collect()
 }
 
-/// By how much the nearest of them differs: in its pivots and first pins, in parts of the size.
+/// Returns the candidate nearest to a known linkage, and the largest difference of its pivots and
+/// first pins, relative to the size.
 fn nearest<'c>(
     found: impl IntoIterator<Item = &'c Candidate>,
     planted: &Proposal,
@@ -59,7 +61,7 @@ fn nearest<'c>(
     all.min_by(|one, other| one.0.total_cmp(&other.0))
 }
 
-/// The planted linkage is found, and what is said of it is what is said of itself.
+/// Checks that a synthesis finds the known linkage with the same evaluation as the linkage itself.
 fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
     let found = Synthesis::run(task, ORDER, &mut |_| true);
     let all = found.good.iter().chain(&found.defective);
@@ -77,7 +79,7 @@ fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
     }
 }
 
-/// Random four-bars that come to these turns, with and without defects.
+/// Calls `each` with random four-bars that reach these turns, with and without defects.
 fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive, &Proposal)) {
     let mut chance = SeededChance::new(17);
     let mut seen = [0, 0];
@@ -100,7 +102,7 @@ fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive,
     assert!(seen[0] > 0 && seen[1] > 0);
 }
 
-/// The last turn comes second.
+/// Moves the last turn to the second position.
 fn turns_back(turns: &[f64]) -> Vec<f64> {
     let mut turns = turns.to_vec();
     let last = turns.pop().expect("there are turns");
@@ -109,7 +111,7 @@ fn turns_back(turns: &[f64]) -> Vec<f64> {
 }
 
 #[test]
-fn three_poses_with_their_pivots_come_back() {
+fn three_poses_with_pivots_recover_linkage() {
     each_planted(24, &[0.0, 25.0, 60.0], &mut |planted, proposal| {
         let Partner::Rocker(d) = planted.far else {
             unreachable!("a four-bar")
@@ -124,7 +126,7 @@ fn three_poses_with_their_pivots_come_back() {
 }
 
 #[test]
-fn five_poses_come_back_alone() {
+fn five_poses_recover_linkage() {
     let turns = [0.0, 30.0, 65.0, 95.0, 130.0];
     each_planted(12, &turns, &mut |planted, proposal| {
         let task = task(TaskKind::Poses(PoseTask {
@@ -135,9 +137,10 @@ fn five_poses_come_back_alone() {
     });
 }
 
-/// Within a degree of the crank: as near as the rounding of the poses, which counts the more the nearer they are, allows.
+/// Within one degree of the crank: as accurate as the rounding of the poses allows, which matters
+/// more the closer they are.
 #[test]
-fn five_poses_that_nearly_repeat_come_back() {
+fn five_nearly_repeated_poses_recover_linkage() {
     let turns = [0.0, 0.25, 0.5, 0.75, 1.0];
     each_planted(12, &turns, &mut |planted, proposal| {
         let task = task(TaskKind::Poses(PoseTask {
@@ -148,7 +151,7 @@ fn five_poses_that_nearly_repeat_come_back() {
     });
 }
 
-/// A function of a planted four-bar with its pivots along +x.
+/// Returns the function of a known four-bar with its pivots along +x.
 fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
@@ -181,7 +184,7 @@ fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Prop
 }
 
 #[test]
-fn pairs_of_a_function_come_back() {
+fn function_pairs_recover_linkage() {
     let mut chance = SeededChance::new(23);
     let mut seen = 0;
     while seen < 24 {
@@ -199,10 +202,10 @@ fn pairs_of_a_function_come_back() {
     }
 }
 
-/// From pair to pair the crank turns by more than half a turn, and more than once in all: the way that the scale gives is
-/// taken, not the shortest.
+/// From pair to pair the crank turns by more than half a turn, and more than one turn in all: it
+/// turns as the scale says, not the shorter way.
 #[test]
-fn a_crank_turns_as_far_as_its_scale_says() {
+fn crank_turns_by_its_scale_beyond_half_turn() {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
@@ -228,14 +231,15 @@ fn a_crank_turns_as_far_as_its_scale_says() {
     assert!((judged.figures.transmission - least).abs() < 1e-9);
 }
 
-/// Between two sides of a triangle, against the third; of two lines, so at most a right one.
+/// Returns the angle between two sides of a triangle, from the third; between two lines, so at most
+/// 90 deg.
 fn angle_of(a: f64, b: f64, across: f64) -> f64 {
     let cosine = (a * a + b * b - across * across) / (2.0 * a * b);
     cosine.abs().min(1.0).acos().to_degrees()
 }
 
 #[test]
-fn the_same_seed_gives_the_same_on_any_threads() {
+fn same_seed_gives_same_synthesis_for_any_thread_count() {
     let points = [[0.0, 0.0], [10.0, 4.0], [20.0, 5.0], [30.0, 3.0]];
     let path = task(TaskKind::Path(PathTask {
         points: points.map(|[x, y]| Vec2::new(x, y)).to_vec(),
@@ -265,7 +269,8 @@ fn the_same_seed_gives_the_same_on_any_threads() {
     }
 }
 
-/// The least angle between coupler and rocker, or coupler and the normal of the guide, at so many places of the solver.
+/// Returns the minimum angle between coupler and rocker, or between coupler and the guide's normal,
+/// in degrees, sampled by the solver.
 fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
     let machine = Machine::open(task, &candidate.proposal).expect("sound");
     let Machine { solver, b, c, .. } = machine;
@@ -296,7 +301,7 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
 }
 
 #[test]
-fn the_least_transmission_is_that_of_small_steps() {
+fn minimum_transmission_angle_matches_sampling() {
     let mut chance = SeededChance::new(29);
     let mut seen = [0; 3];
     while seen.iter().any(|seen| *seen < 12) {
@@ -321,7 +326,7 @@ fn the_least_transmission_is_that_of_small_steps() {
         task.slider_cranks = true;
         let judged = Candidate::judge(&task, &proposal);
         if !judged.does_it() {
-            // Who swings cannot come round on a closed path.
+            // A swinging crank cannot complete a closed path.
             continue;
         }
         seen[usize::from(slides)] += 1;
@@ -336,7 +341,7 @@ fn the_least_transmission_is_that_of_small_steps() {
 }
 
 #[test]
-fn misses_count_by_their_weights() {
+fn misses_are_weighted() {
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
@@ -367,7 +372,7 @@ fn misses_count_by_their_weights() {
 }
 
 #[test]
-fn a_closed_path_is_not_come_round_by_who_swings() {
+fn swinging_crank_fails_closed_path() {
     // The coupler is too short for the crank to turn.
     let planted = PlantedDrive {
         pivot: Vec2::ZERO,
@@ -399,10 +404,10 @@ fn a_closed_path_is_not_come_round_by_who_swings() {
     assert_eq!(judged.defects, [TaskDefect::Order { from: 2, to: 0 }]);
 }
 
-/// Of four poses that are near each other, pivots and pins lie further away than the poses are apart: where none within the
-/// usual reach does it, a wider one is searched before that is said.
+/// For four poses near each other, pivots and pins are further away than the distance between the
+/// poses. If no linkage within the usual reach does the task, a wider reach is searched.
 #[test]
-fn four_poses_near_each_other_have_linkages_that_do_it() {
+fn four_nearby_poses_have_working_linkages() {
     let mut chance = SeededChance::new(23);
     let (mut done, mut narrow) = (0, 0);
     let mut seen = 0;

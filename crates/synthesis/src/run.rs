@@ -1,4 +1,4 @@
-//! A task, all that a method proposes, and what of it does the task.
+//! Runs a synthesis: proposes linkages for a task and evaluates them.
 
 use super::candidate::Candidate;
 use super::functions::FunctionSearch;
@@ -10,38 +10,41 @@ use super::{
 use kinematics::parallel;
 use std::cmp::Ordering;
 
-/// How a synthesis is done.
+/// Settings of a synthesis run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SynthesisOrder {
-    /// From which chance follows, where a search begins at many places.
+    /// The seed of the random numbers, for searches from many starts.
     pub seed: u64,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
 }
 
 impl SynthesisOrder {
-    /// The seed where none is named.
+    /// The default seed.
     pub const USUAL_SEED: u64 = 1;
 }
 
-/// What came of a task.
+/// The result of a synthesis.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Synthesis {
-    /// Those that do it, the best first; those that keep every wish before the others.
+    /// The candidates that do the task, best first; those that meet every preference come before
+    /// the others.
     pub good: Vec<Candidate>,
-    /// Those that do not, each with the reason.
+    /// The candidates that do not, each with its defects.
     pub defective: Vec<Candidate>,
-    /// Whether there are no others.
+    /// Whether these are all linkages.
     pub is_complete: bool,
-    /// Why there are none, or why there may be others.
+    /// The reason why there are no linkages, or why there may be others.
     pub reason: Option<OpenReason>,
-    /// Of four poses the pieces of the curves on which every pivot and its pin lie.
+    /// For four poses, the pieces of the curves on which every pivot and its pin lie.
     pub curves: Vec<Vec<PosedDyad>>,
 }
 
 impl Synthesis {
-    /// Proposes, drives and judges. `watch` is told the part that is done, and stops a search by answering false: what was
-    /// found until then is judged.
+    /// Proposes linkages, drives them through the task and evaluates them.
+    ///
+    /// `watch` receives the completed part, and stops a search by returning `false`; the linkages
+    /// found until then are evaluated.
     #[must_use]
     pub fn run(
         task: &Task,
@@ -80,7 +83,8 @@ impl Synthesis {
         found
     }
 
-    /// Through poses: where the linkages are a choice and none within the usual reach does it, of a wider one.
+    /// Solves a task of poses. If the linkages are a selection and none within the usual reach does
+    /// the task, a wider reach is tried.
     fn through(task: &Task, poses: &PoseTask, threads: usize) -> Synthesis {
         let propose = |reach| {
             let inside = task.wishes.inside;
@@ -97,7 +101,7 @@ impl Synthesis {
         }
     }
 
-    /// Judges all that is proposed.
+    /// Evaluates all proposals and sorts the distinct candidates, best first.
     #[must_use]
     pub fn of(task: &Task, proposals: Proposals, threads: usize) -> Synthesis {
         let judged = judged(task, &proposals.found, threads);
@@ -119,8 +123,8 @@ impl Synthesis {
         }
     }
 
-    /// Adds a candidate where it belongs, and answers with its place, the defective ones counted behind the others; one
-    /// that is there already is not added.
+    /// Inserts a candidate in order and returns its index; defective candidates are counted after
+    /// the others. Returns the index of the same candidate if it is already present.
     pub fn add(&mut self, task: &Task, candidate: Candidate) -> usize {
         let all = self.good.iter().chain(&self.defective);
         if let Some(place) = all.into_iter().position(|known| known.is_same(&candidate)) {
@@ -140,8 +144,10 @@ impl Synthesis {
     }
 }
 
-/// The same, and behind each linkage those that lead the same point along the same curve: where the crank's turns are given
-/// the one that keeps them, and none where pivots are given, for theirs are others.
+/// Adds, after each linkage, its cognates, which guide the same point along the same curve.
+///
+/// If the crank's turns are given, only the cognate that keeps them is added. With given
+/// pivots, cognates are left out, since they have other pivots.
 fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
     let mut found = Vec::new();
     for one in &proposals.found {
@@ -157,14 +163,14 @@ fn with_cognates(path: &PathTask, proposals: Proposals) -> Proposals {
     Proposals { found, ..proposals }
 }
 
-/// All of them, in their order, on several cores.
+/// Evaluates all proposals on several cores, in their order.
 fn judged(task: &Task, proposals: &[Proposal], threads: usize) -> Vec<Candidate> {
     let judge = |(): &mut (), i: usize| Candidate::judge(task, &proposals[i]);
     parallel::each(proposals.len(), threads, || (), judge, &mut |_| true)
 }
 
-/// Those without defects first, then those that keep more wishes; then the smaller miss, as far as it is more than rounding;
-/// then the greater transmission angle.
+/// Compares candidates: fewer defects first, then fewer unmet preferences, then the smaller miss
+/// above rounding, then the larger transmission angle.
 fn better(task: &Task, one: &Candidate, other: &Candidate) -> Ordering {
     let count = |c: &Candidate| (c.defects.len(), c.missed.len());
     let floor = 1e-9 * task.size();

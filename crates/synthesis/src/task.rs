@@ -1,22 +1,22 @@
-//! What is wanted, in numbers.
+//! The task of a synthesis, in numbers.
 
 use kinematics::Vec2;
 
-/// A motion that is wanted, and what would be liked beside it.
+/// A wanted motion and the preferences for its linkage.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Task {
     /// The motion.
     pub kind: TaskKind,
-    /// Which linkages are looked for.
+    /// Whether to search for four-bars.
     pub four_bars: bool,
-    /// Whether slider-cranks are looked for.
+    /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
-    /// What would be liked.
+    /// The preferences.
     pub wishes: Wishes,
 }
 
 impl Task {
-    /// How many points, poses or pairs are wanted.
+    /// Returns the number of points, poses or pairs.
     #[must_use]
     pub fn points(&self) -> usize {
         match &self.kind {
@@ -26,7 +26,8 @@ impl Task {
         }
     }
 
-    /// A length by which misses are measured: how far the points are apart, or the size that is given.
+    /// Returns the length to which misses are relative: the maximum distance of a point from the
+    /// first, or the given size.
     #[must_use]
     pub fn size(&self) -> f64 {
         let spread = |points: &[Vec2]| {
@@ -45,38 +46,38 @@ impl Task {
     }
 }
 
-/// A motion that is wanted.
+/// A wanted motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TaskKind {
-    /// A body is to come through poses.
+    /// A body passes through poses.
     Poses(PoseTask),
-    /// A link's angle, or a slide, is to follow the crank's angle.
+    /// A link's angle, or a slide, follows the crank's angle.
     Function(FunctionTask),
-    /// A point of the coupler is to come through points.
+    /// A point of the coupler passes through points.
     Path(PathTask),
 }
 
-/// Where a body is to be.
+/// The position and orientation of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// Its origin.
+    /// The position of its origin.
     pub at: Vec2,
-    /// Its x axis, in degrees.
+    /// The direction of its x axis, in degrees.
     pub angle: f64,
 }
 
-/// Three to five poses.
+/// Rigid-body guidance through three to five poses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PoseTask {
-    /// In their order.
+    /// The poses in their order.
     pub poses: Vec<Pose>,
-    /// Pivots on the ground that are given: at most two.
+    /// Given ground pivots, at most two.
     pub pivots: Vec<Vec2>,
-    /// Pins on the body that are given, in its own frame: at most two.
+    /// Given pins on the body, in its own frame, at most two.
     pub pins: Vec<Vec2>,
 }
 
-/// What follows the crank's angle.
+/// The output of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Output {
     /// The angle of the link on the other pivot, in degrees.
@@ -85,52 +86,55 @@ pub enum Output {
     Slide,
 }
 
-/// A number that is given, or to be found.
+/// A number that is either given or free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
-    /// It is this.
+    /// A given value.
     Value(f64),
-    /// It may be anything.
+    /// A number for the search to find.
     Free,
 }
 
-/// The crank at `crank_datum + crank_scale x`, the output at `output_datum + output_scale y`, for every pair.
+/// A function: for every pair, the crank is at `crank_datum + crank_scale x` and the output at
+/// `output_datum + output_scale y`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FunctionTask {
     /// The pairs `[x, y]`, in their order.
     pub pairs: Vec<[f64; 2]>,
-    /// What is wanted between them, where that is known: more pairs, densely, at which the error is told.
+    /// The wanted function between the pairs if it is known: more pairs, densely spaced, at which
+    /// the error is measured.
     pub between: Vec<[f64; 2]>,
-    /// What follows.
+    /// The kind of output.
     pub output: Output,
-    /// The crank's angle where x is 0, in degrees.
+    /// The crank's angle at x = 0, in degrees.
     pub crank_datum: Given,
-    /// Degrees of the crank for each x.
+    /// The crank's rotation per unit of x, in degrees.
     pub crank_scale: Given,
-    /// The output where y is 0.
+    /// The output at y = 0, in degrees or as a length.
     pub output_datum: Given,
-    /// Degrees, or lengths, of the output for each y.
+    /// The output per unit of y, in degrees or as a length.
     pub output_scale: Given,
-    /// How far apart the pivots are, or, of a slide, how long the crank is: a function has no size of its own.
+    /// The distance between the pivots, or the crank's length for a slide: a function has no size
+    /// of its own.
     pub size: f64,
 }
 
-/// Points in any number.
+/// A path of any number of points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PathTask {
-    /// In their order.
+    /// The points in their order.
     pub points: Vec<Vec2>,
-    /// Whether the path comes back to the first point: the crank turns once on the way.
+    /// Whether the path returns to the first point, in one turn of the crank.
     pub closed: bool,
-    /// How far the crank has turned from the first point to each, in degrees; none where that is free.
+    /// The crank's rotation from the first point to each, in degrees; `None` if it is free.
     pub turns: Option<Vec<f64>>,
-    /// Pivots on the ground that are given: at most two.
+    /// Given ground pivots, at most two.
     pub pivots: Vec<Vec2>,
-    /// How much the miss of each point counts; as many as points.
+    /// The weights of the points' misses, one per point; missing weights are 1.
     pub weights: Vec<f64>,
 }
 
-/// The way in which the crank is to turn.
+/// The sense in which the crank turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sense {
     /// Counter-clockwise.
@@ -139,19 +143,20 @@ pub enum Sense {
     Clockwise,
 }
 
-/// What would be liked beside the motion: a candidate that does not keep a wish says so, and stands behind those that do.
+/// Preferences for the linkage, apart from its motion. A candidate that does not meet one reports
+/// it and comes after those that do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Wishes {
-    /// Whether the crank is to turn fully.
+    /// Whether the crank should turn fully.
     pub full_turn: bool,
-    /// The least transmission angle over the task, in degrees.
+    /// The minimum transmission angle over the task, in degrees.
     pub transmission: Option<f64>,
-    /// Two opposite corners of a box in which the pivots are to lie.
+    /// Two opposite corners of a box for the pivots.
     pub inside: Option<[Vec2; 2]>,
-    /// The largest ratio of the longest to the shortest length.
+    /// The maximum ratio of the longest length to the shortest.
     pub ratio: Option<f64>,
-    /// Whether the points are to be met in their order, with the crank turning one way.
+    /// Whether the crank should reach the points in their order, turning one way.
     pub ordered: bool,
-    /// Which way.
+    /// The sense in which the crank should turn.
     pub sense: Option<Sense>,
 }

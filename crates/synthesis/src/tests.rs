@@ -1,11 +1,12 @@
-//! Linkages whose motion is known are driven through tasks that are read from it.
+//! Drives linkages with a known motion through tasks derived from it.
 
 use super::*;
 use kinematics::Vec2;
 use kinematics::angle::{degrees, unit};
 use proptest::prelude::*;
 
-/// A four-bar by its pivots, crank, coupler and rocker, with P on the coupler.
+/// A four-bar given by its pivots and the lengths of crank, coupler and rocker, with P on the
+/// coupler.
 #[derive(Clone, Copy, Debug)]
 struct KnownFourBar {
     a: Vec2,
@@ -17,7 +18,8 @@ struct KnownFourBar {
 }
 
 impl KnownFourBar {
-    /// B, C and P, and the coupler's angle, where C lies left or right of B-D.
+    /// Returns B, C, P and the coupler's angle at a crank angle, with C to the left or right of
+    /// B-D.
     fn at(&self, angle: f64, is_left: bool) -> Option<([Vec2; 2], Vec2, f64)> {
         let b = self.a + unit(angle) * self.crank;
         let across = self.d - b;
@@ -41,7 +43,8 @@ impl KnownFourBar {
         }
     }
 
-    /// Its poses at these angles, each in the assembly told, and itself.
+    /// Returns the task of its poses at these angles, each in the given assembly, and the linkage
+    /// itself.
     fn poses(&self, stops: &[(f64, bool)]) -> Option<(Task, Proposal)> {
         let found: Option<Vec<_>> = stops.iter().map(|(at, left)| self.at(*at, *left)).collect();
         let found = found?;
@@ -76,7 +79,7 @@ const TURNING: KnownFourBar = KnownFourBar {
     p: Vec2::new(120.0, 80.0),
 };
 
-/// Its crank swings between two dead points.
+/// A linkage whose crank swings between two dead points.
 const SWINGING: KnownFourBar = KnownFourBar {
     crank: 300.0,
     coupler: 150.0,
@@ -84,7 +87,7 @@ const SWINGING: KnownFourBar = KnownFourBar {
 };
 
 #[test]
-fn what_does_its_task_has_no_defect() {
+fn working_linkage_has_no_defect() {
     let stops = [10.0, 70.0, 150.0, 290.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -102,7 +105,7 @@ fn what_does_its_task_has_no_defect() {
         figures.miss < 1e-10 && figures.angle_miss < 1e-10,
         "{figures:?}"
     );
-    // The least lies where the crank passes the line of the pivots, within the way.
+    // The minimum is where the crank passes the line of the pivots, within the task.
     let ground = (TURNING.d - TURNING.a).norm();
     let least = [ground - 100.0, ground + 100.0].map(|across| {
         let cosine: f64 = (300.0 * 300.0 + 250.0 * 250.0 - across * across) / (2.0 * 300.0 * 250.0);
@@ -112,7 +115,7 @@ fn what_does_its_task_has_no_defect() {
 }
 
 #[test]
-fn another_circuit_is_named_between_its_points() {
+fn circuit_change_is_reported_between_its_points() {
     let stops = [(10.0, true), (70.0, true), (150.0, false), (290.0, false)];
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -120,7 +123,7 @@ fn another_circuit_is_named_between_its_points() {
 }
 
 #[test]
-fn another_branch_is_named_where_no_pivot_can_drive() {
+fn branch_defect_is_reported_if_neither_pivot_can_drive() {
     let low_high = |known: &KnownFourBar| {
         let places = (-1800..1800).map(|k| f64::from(k) * 0.1);
         let found: Vec<f64> = places.filter(|at| known.at(*at, true).is_some()).collect();
@@ -129,7 +132,7 @@ fn another_branch_is_named_where_no_pivot_can_drive() {
     let (low, high) = low_high(&SWINGING);
     assert!(high - low < 300.0, "{low} {high}");
     let at = |part: f64| low + part * (high - low);
-    // All but on the left side: one dead point of this crank, and of the other, lies between.
+    // Two points on either side: a dead point of this crank, and of the other, lies between them.
     let stops = [
         (at(0.2), true),
         (at(0.8), true),
@@ -150,7 +153,7 @@ fn another_branch_is_named_where_no_pivot_can_drive() {
 }
 
 #[test]
-fn an_order_that_turns_back_is_named_if_it_is_wished() {
+fn turning_back_is_defect_only_if_order_is_wanted() {
     let stops = [10.0, 150.0, 70.0, 120.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let candidate = Candidate::judge(&task, &proposal);
@@ -163,7 +166,7 @@ fn an_order_that_turns_back_is_named_if_it_is_wished() {
 }
 
 #[test]
-fn poses_that_are_not_met_are_missed() {
+fn unmet_poses_are_reported_as_missed() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (task, proposal) = TURNING.poses(&stops).unwrap();
     let judged = |change: fn(&mut Vec<Pose>)| {
@@ -183,7 +186,7 @@ fn poses_that_are_not_met_are_missed() {
 }
 
 #[test]
-fn wishes_that_are_not_kept_are_told() {
+fn unmet_wanted_properties_are_reported() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (mut task, proposal) = TURNING.poses(&stops).unwrap();
     task.wishes = Wishes {
@@ -202,7 +205,7 @@ fn wishes_that_are_not_kept_are_told() {
 }
 
 #[test]
-fn numbers_that_are_none_are_no_linkage() {
+fn non_finite_proposal_is_unopened() {
     let (task, mut proposal) = TURNING
         .poses(&[(10.0, true), (70.0, true), (90.0, true)])
         .unwrap();
@@ -219,9 +222,9 @@ fn numbers_that_are_none_are_no_linkage() {
 }
 
 proptest! {
-    /// A defect is named exactly where a walk in small steps has to leave the assembly.
+    /// A defect is reported exactly where a motion in small steps has to leave the assembly.
     #[test]
-    fn defects_are_those_of_a_walk(
+    fn defects_match_stepwise_motion(
         crank in 60.0..400.0_f64,
         coupler in 100.0..400.0_f64,
         rocker in 100.0..400.0_f64,
@@ -231,7 +234,8 @@ proptest! {
         let Some((mut task, proposal)) = known.poses(&stops) else { return Ok(()) };
         task.wishes.ordered = false;
         let own = Candidate::judge(&task, &proposal);
-        // Whether the crank, or the rocker in its place, comes from each point to the next without a gap and on one side.
+        // Returns `true` if the crank, or the rocker in its place, moves from each point to the
+        // next without a gap and on one side.
         let walks = |proposal: &Proposal, is_crank: bool| {
             let [a, d] = [known.a, known.d];
             let (pivot, other) = if is_crank { (a, d) } else { (d, a) };

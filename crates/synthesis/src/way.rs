@@ -1,21 +1,22 @@
-//! In which order a crank comes through its places.
+//! Determines the crank's motion through the points of a task.
 
 use super::Sense;
 use kinematics::angle::TURN;
 
-/// How a crank comes through the places of a task.
+/// The crank's motion through the points of a task.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Way {
-    /// Its angle at every place, in degrees, counted on from the first.
+    /// The crank's angle at every point, in degrees, counted continuously from the first.
     pub(super) at: Vec<f64>,
-    /// The first place that it cannot reach without turning back.
+    /// The first point that the crank reaches only by turning back.
     pub(super) turns_back: Option<usize>,
 }
 
-/// What rounding may make of no turn at all, in degrees.
+/// Rotation in degrees up to which a difference is rounding.
 const STANDS: f64 = 1e-9;
 
-/// The way of a crank that turns fully, and comes to its places in any order: the least turn that has them all.
+/// Returns the angles of a crank that turns fully and reaches its points in any order, within the
+/// smallest rotation.
 pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
     let Some(&first) = angles.first() else {
         return Vec::new();
@@ -27,7 +28,7 @@ pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
     round.sort_by(f64::total_cmp);
     let next = round[1..].iter().copied().chain([TURN]);
     let gaps = round.iter().zip(next).map(|(from, to)| (to - from, to));
-    // Behind the widest gap it begins; the first place stays where it is.
+    // The range begins after the widest gap; the first point keeps its angle.
     let widest = gaps.max_by(|one, other| one.0.total_cmp(&other.0));
     let begin = widest.map_or(TURN, |(_, to)| to);
     let place = |angle: &f64| {
@@ -37,12 +38,12 @@ pub(super) fn anyhow(angles: &[f64]) -> Vec<f64> {
     angles.iter().map(place).collect()
 }
 
-/// The way of a crank whose turns are given: `None` stands where it lies beyond the limits.
+/// Returns the angles of a crank with given rotations; `None` for a point beyond the limits.
 pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f64>> {
     let Some((low, high)) = limits else {
         return turned.iter().copied().map(Some).collect();
     };
-    // The whole way is told from another datum than the limits.
+    // The given angles may count from another turn than the limits.
     let first = turned.first().copied().unwrap_or(0.0);
     let shift = swinging(&[first], (low, high))[0].map_or(0.0, |here| here - first);
     let slack = STANDS * TURN;
@@ -53,8 +54,8 @@ pub(super) fn given(turned: &[f64], limits: Option<(f64, f64)>) -> Vec<Option<f6
     turned.iter().map(place).collect()
 }
 
-/// The way of a crank that turns fully: one way round where that passes all places within a turn, else the short way from
-/// each to the next.
+/// Returns the motion of a crank that turns fully. It turns one way if this passes all points
+/// within one turn; if not, it takes the shorter way from each point to the next.
 pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
     let ways =
         [Sense::CounterClockwise, Sense::Clockwise].map(|sense| (sense, one_way(angles, sense)));
@@ -64,7 +65,7 @@ pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
     };
     let within = |way: &&(Sense, Vec<f64>)| length(way) <= TURN;
     let wished = ways.iter().filter(within).find(|way| Some(way.0) == sense);
-    // The shorter of two; counter-clockwise where both are as long, as nobody knows better.
+    // The shorter of two; counter-clockwise if both are equally long.
     let any = ways
         .iter()
         .filter(within)
@@ -82,12 +83,12 @@ pub(super) fn turning(angles: &[f64], sense: Option<Sense>) -> Way {
     }
 }
 
-/// The way of a crank between two limits; `None` stands where a place lies beyond them.
+/// Returns the angles of a crank between two limits; `None` for a point beyond them.
 pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f64>> {
     let mut before = angles.first().copied().unwrap_or(0.0);
     let mut at = Vec::with_capacity(angles.len());
     for &angle in angles {
-        // A place at a limit may be beside it by rounding.
+        // A point at a limit may lie outside it by rounding.
         let slack = STANDS * TURN;
         let first = ((low - slack - angle) / TURN).ceil();
         let last = ((high + slack - angle) / TURN).floor();
@@ -101,7 +102,7 @@ pub(super) fn swinging(angles: &[f64], (low, high): (f64, f64)) -> Vec<Option<f6
     at
 }
 
-/// The first place that is reached by turning back.
+/// Returns the first point that the crank reaches by turning back.
 pub(super) fn turns_back(at: &[f64]) -> Option<usize> {
     let steps = at.windows(2).map(|two| two[1] - two[0]);
     let mut sense = 0.0_f64;
@@ -132,7 +133,8 @@ fn one_way(angles: &[f64], sense: Sense) -> Vec<f64> {
     at
 }
 
-/// A turn forward, from 0 to below a whole one; what goes back by rounding alone stays.
+/// Returns a forward rotation from 0 to less than a whole turn; a backward rotation by rounding
+/// stays negative.
 fn forward(turn: f64) -> f64 {
     let forward = turn.rem_euclid(TURN);
     match forward < TURN - STANDS {
@@ -157,15 +159,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_crank_comes_round_one_way() {
+    fn full_turn_crank_prefers_one_direction() {
         let way = turning(&[350.0, 10.0, 40.0], None);
         assert_eq!(way.at, [350.0, 370.0, 400.0]);
         assert_eq!(way.turns_back, None);
         let way = turning(&[10.0, 350.0, 300.0], None);
         assert_eq!(way.at, [10.0, -10.0, -60.0]);
-        // Three places are always passed one way.
+        // Three points can always be passed one way.
         assert_eq!(turning(&[0.0, 200.0, 100.0], None).turns_back, None);
-        // Four need not be.
+        // Four points may require turning back.
         assert_eq!(
             turning(&[0.0, 200.0, 100.0, 150.0], None).turns_back,
             Some(3)
@@ -175,7 +177,7 @@ mod tests {
     }
 
     #[test]
-    fn in_any_order_it_takes_the_least_turn() {
+    fn unordered_points_take_smallest_rotation() {
         assert_eq!(
             anyhow(&[0.0, 200.0, 100.0, 150.0]),
             [0.0, 200.0, 100.0, 150.0]
@@ -187,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn what_goes_back_by_rounding_stands() {
+    fn rounding_is_not_turning_back() {
         let way = turning(&[10.0, 50.0, 50.0 - 1e-12, 90.0], None);
         assert_eq!(way.turns_back, None);
         assert!((way.at[3] - 90.0).abs() < 1e-9, "{way:?}");
@@ -196,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn a_given_way_is_taken_as_it_is() {
+    fn given_rotations_are_kept() {
         assert_eq!(
             given(&[0.0, 250.0, 500.0], None)[1..],
             [Some(250.0), Some(500.0)]
@@ -206,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rocker_stays_between_its_limits() {
+    fn swinging_crank_stays_between_limits() {
         let at = swinging(&[350.0, 10.0, 100.0], (-30.0, 60.0));
         assert_eq!(at, [Some(-10.0), Some(10.0), None]);
     }

@@ -212,7 +212,7 @@ mod tests {
     }
 
     #[test]
-    fn a_billion_turns_later_the_bits_are_the_same() {
+    fn whole_turns_do_not_change_any_bit() {
         for k in 0..3600_i32 {
             let angle = f64::from(k) * 0.125 + 0.0625;
             let later = 360.0e9 + angle;
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn a_close_unit_is_within_its_bound() {
+    fn close_unit_is_within_its_bound() {
         for k in -40_000..40_000_i32 {
             let angle = f64::from(k) * 0.017_1;
             let (close, off) = unit_closely::<false>(angle);
@@ -246,8 +246,8 @@ mod tests {
     }
 
     #[test]
-    fn agrees_with_the_platform_within_its_own_rounding() {
-        // The platform gets radians, whose rounding alone is half an ulp of the angle.
+    fn unit_agrees_with_platform_within_rounding() {
+        // The platform's functions take radians, whose rounding alone is half an ulp of the angle.
         for k in -40_000..40_000_i32 {
             let angle = f64::from(k) * 0.0071;
             let u = unit(angle);
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_lie_in_the_half_open_turn() {
+    fn directions_are_in_half_open_turn() {
         assert_eq!(degrees(Vec2::new(1.0, -1e-30)), 0.0);
         assert_eq!(degrees(Vec2::new(0.0, -1.0)), 270.0);
         assert!(wrapped(-0.0).is_sign_positive());

@@ -380,11 +380,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_double_holds_exactly_is_known_exactly() {
+    fn exactly_representable_values_have_no_error() {
         for exact in [0.0, 250.0, -0.625, 400.0, 1e6 + 1.0] {
             assert!(Constant::given(exact).off() <= TWICE * 1e7, "{exact}");
         }
-        // The last one has twenty zeros at its end.
+        // The double nearest to the last one ends with twenty zero bits.
         for rounded in [0.1, 39.3, 1.000_000_001, 9.47615610808134] {
             let off = Constant::given(rounded).off();
             assert!(
@@ -395,7 +395,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_keep_what_their_coordinates_are_off_by() {
+    fn lengths_keep_error_of_their_coordinates() {
         let local = Vec2::new(Constant::given(0.3), Constant::given(0.4));
         let length = local.norm();
         assert!(

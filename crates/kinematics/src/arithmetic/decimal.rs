@@ -94,7 +94,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_short_decimal_is_meant_as_it_is_typed() {
+    fn short_decimal_is_exactly_as_typed() {
         let sum = Decimal::of(0.1).value + Decimal::of(0.2).value;
         assert!((sum - Decimal::of(0.3).value).hi.abs() < 1e-31);
         for exact in [0.0, 1.0, -250.0, 0.625, 1e6 + 3.0] {
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_of_more_digits_is_the_double_that_it_reads_as() {
+    fn long_number_is_its_nearest_double() {
         let long = 0.1 + 0.2;
         assert_eq!(Decimal::of(long).value, Double::exactly(long));
         assert!(Decimal::of(long).is_long);
@@ -116,9 +116,10 @@ mod tests {
         assert!((fifteen.rounding / 5e-13 - 1.0).abs() < 1e-12);
     }
 
-    /// The nearest doubles to the first two have twenty zeros at their ends, and are not these decimals.
+    /// The doubles nearest to the first two end with twenty zero bits, but do not equal these
+    /// decimals.
     #[test]
-    fn whether_a_double_holds_a_decimal_is_no_question_of_its_last_bits() {
+    fn trailing_zero_bits_do_not_make_decimal_a_double() {
         for rounded in [9.47615610808134, 9.98348635993898, 0.1, 1e-9] {
             assert!(!Decimal::of(rounded).is_double, "{rounded}");
         }
@@ -128,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_stays_so() {
+    fn non_finite_and_subnormal_values_stay_unchanged() {
         assert!(Decimal::of(f64::NAN).value.hi.is_nan());
         assert_eq!(Decimal::of(f64::INFINITY).value.hi, f64::INFINITY);
         assert_eq!(Decimal::of(5e-324).value.hi, 5e-324);

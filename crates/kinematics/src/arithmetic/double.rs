@@ -234,7 +234,7 @@ mod tests {
     }
 
     #[test]
-    fn a_third_and_the_root_of_two_have_twice_the_digits() {
+    fn quotients_and_square_roots_have_double_double_precision() {
         let third = Double::ONE / Double::exactly(3.0);
         assert!((third * Double::exactly(3.0) - Double::ONE).hi.abs() < 1e-31);
         let root = Double::exactly(2.0).sqrt();
@@ -244,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn roots_of_squares_are_exact() {
+    fn square_roots_of_squares_are_exact() {
         for x in [0.1, 250.0 / 256.0, 1.000_000_001, 3.7e-5] {
             let x = Double::exactly(x);
             assert_eq!((x * x).sqrt(), x);
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn units_keep_their_length_and_their_angle() {
+    fn unit_vectors_have_exact_length_and_angle() {
         assert_eq!(Double::unit(450.0), Vec2::new(Double::ZERO, Double::ONE));
         let half = Double::unit(-30.0).y + Double::exactly(0.5);
         assert!(half.hi.abs() < 1e-31, "{half:?}");

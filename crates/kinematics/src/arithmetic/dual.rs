@@ -160,9 +160,9 @@ impl Number for Dual {
 mod tests {
     use super::*;
 
-    /// Each rule against the difference of what it is the derivative of.
+    /// Compares each rule with a difference quotient.
     #[test]
-    fn every_operation_hands_on_its_derivative() {
+    fn every_operation_propagates_its_derivative() {
         type Formula = fn(Dual) -> Dual;
         let c = Dual::exactly(1.75);
         assert_eq!(c.slope, 0.0);
@@ -190,9 +190,9 @@ mod tests {
         }
     }
 
-    /// What a constant says of itself is what the formulas of a step then go on with.
+    /// The slope of a constant is the slope with which the formulas of a step continue.
     #[test]
-    fn constants_hand_on_their_slopes_by_the_same_rules() {
+    fn constants_propagate_slopes_like_duals() {
         let [a, b] = [(2.5, 1.0), (0.75, -2.0)].map(|(v, s)| Constant::given(v).with_slope(s));
         let [x, y] = [a, b].map(Dual::of);
         let pairs = [

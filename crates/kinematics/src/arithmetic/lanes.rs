@@ -195,9 +195,9 @@ mod tests {
     }
 
     proptest! {
-        /// Of any doubles, whatever they mean: infinite, denormal, no number.
+        /// Tests arbitrary doubles, including infinite and subnormal ones and NaN.
         #[test]
-        fn every_lane_is_computed_as_if_alone(a: [u64; LANES], b: [u64; LANES], small: [i32; LANES]) {
+        fn lanes_match_scalar_results_bit_for_bit(a: [u64; LANES], b: [u64; LANES], small: [i32; LANES]) {
             let [a, b] = [a, b].map(|bits| bits.map(f64::from_bits));
             let two = |f: fn(f64, f64) -> f64| -> [f64; LANES] {
                 std::array::from_fn(|i| f(a[i], b[i]))
@@ -218,7 +218,7 @@ mod tests {
             prop_assert!(same(Lanes::norm(vector), two(f64::hypot)));
             prop_assert!(same(Lanes::degrees(vector), two(|x, y| angle::degrees(Vec2::new(x, y)))));
             prop_assert!(same(Lanes::wrapped(x), a.map(angle::wrapped)));
-            // Angles near and far: the far ones go another way.
+            // Small and large angles: large ones take another code path.
             for angles in [a, small.map(|s| f64::from(s) * 1e-3), small.map(f64::from)] {
                 let unit = Lanes::unit(Lanes(angles));
                 prop_assert!(same(unit.x, angles.map(|a| angle::unit(a).x)));
@@ -228,7 +228,7 @@ mod tests {
     }
 
     #[test]
-    fn one_lane_decides_for_all() {
+    fn comparisons_require_all_lanes() {
         let ones = Lanes([1.0; LANES]);
         for lane in 0..LANES {
             for value in [0.0, -1.0, f64::NAN] {

@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn quotients_and_roots_are_those_of_the_textbooks() {
+    fn quotients_and_square_roots_match_textbook_series() {
         let t = Series::line(Double::ZERO, Double::ONE);
         let one = Series::exactly(1.0);
         assert_near(one / (one - t), &[1.0; TERMS]);
@@ -251,7 +251,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_divided_by_t_knows_less() {
+    fn lowering_reduces_known_terms() {
         let square = (Series::line(Double::ZERO, Double::ONE)
             * Series::line(Double::exactly(2.0), Double::ONE))
         .lowered(1);
@@ -262,7 +262,7 @@ mod tests {
     }
 
     #[test]
-    fn an_angle_turns_its_unit_vector() {
+    fn unit_vector_series_match_sine_and_cosine() {
         let unit = Series::unit(Series::angle(Double::exactly(90.0)));
         assert_near(unit.x, &[0.0, -1.0, 0.0, 1.0 / 6.0]);
         assert_near(unit.y, &[1.0, 0.0, -0.5, 0.0, 1.0 / 24.0]);

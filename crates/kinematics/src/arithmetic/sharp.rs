@@ -188,9 +188,9 @@ impl Number for Sharp {
 mod tests {
     use super::*;
 
-    /// The middle of what is known to a radius goes astray by less than that says.
+    /// The error of a midpoint is at most the radius.
     #[test]
-    fn what_operands_are_off_by_is_covered() {
+    fn radius_covers_errors_of_operands() {
         let near = |v: f64, off: f64| (Sharp::new(Double::exactly(v), off), Double::sum(v, off));
         for off in [1e-20, -1e-18, 1e-9] {
             let ((a, ta), (b, tb)) = (near(0.7, off), near(-1.3, -off));

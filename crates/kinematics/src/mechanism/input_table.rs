@@ -114,7 +114,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_table_closes_where_it_spans_whole_turns_and_comes_back() {
+    fn closed_table_needs_whole_turns_and_equal_ends() {
         let closed = |knots: &[[f64; 2]]| InputTable::closed(knots.to_vec());
         let rocks = closed(&[[0.1, 20.0], [180.0, 70.0], [360.1, 20.0]]).unwrap();
         assert_eq!(rocks.period(), Some(360.0));
@@ -128,9 +128,9 @@ mod tests {
         assert_eq!(closed(&[[0.0, 0.0], [0.0, 0.0]]), None);
     }
 
-    /// Value, slope and second derivative are the same on both sides of the place where it comes round.
+    /// Value, slope and second derivative agree on both sides of the point where the table repeats.
     #[test]
-    fn a_closed_table_goes_on_as_it_began() {
+    fn closed_table_is_smooth_where_it_repeats() {
         let knots = vec![[-30.0, 5.0], [40.0, 90.0], [200.0, 60.0], [330.0, 365.0]];
         let table = InputTable::closed(knots.clone()).unwrap();
         for (place, turns) in [(330.0, 0.0), (-30.0, -1.0), (690.0, 1.0)] {
@@ -150,16 +150,16 @@ mod tests {
         }
     }
 
-    /// Two knots a turn apart are a ratio.
+    /// Two knots one turn apart define a ratio.
     #[test]
-    fn of_two_knots_a_turn_apart_a_line_is_left() {
+    fn two_knots_a_turn_apart_give_line() {
         let table = InputTable::closed(vec![[0.0, 15.0], [360.0, -705.0]]).unwrap();
         assert_eq!(table.at(90.0), [-165.0, -2.0, 0.0]);
         assert_eq!(table.at(-90.0), [195.0, -2.0, 0.0]);
     }
 
     #[test]
-    fn beyond_an_open_end_it_stays() {
+    fn open_table_is_constant_beyond_its_ends() {
         let table = InputTable::open(vec![[1.0, 2.0], [3.0, 8.0]]).unwrap();
         assert_eq!(table.at(0.0), [2.0, 0.0, 0.0]);
         assert_eq!(table.at(2.0)[..2], [5.0, 4.5]);

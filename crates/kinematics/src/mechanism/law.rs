@@ -288,7 +288,7 @@ mod tests {
         assert!((value - exact).abs() < most, "{value} for {exact}");
     }
 
-    /// Returns the moments of a step of 1 in 1 s that is followed by the way back.
+    /// Returns the moments of a step of 1 in 1 s, followed by a step back.
     fn shape(law: StepLaw) -> impl Fn(f64) -> [f64; 3] {
         let steps = vec![step(law, 1.0, 1.0), step(law, 0.0, 1.0)];
         let law = MotionLaw::new(0.0, steps, false).unwrap();
@@ -298,10 +298,10 @@ mod tests {
         }
     }
 
-    /// Largest speeds and accelerations of the handbooks: h/T times 1, pi/2, 2, 1/(1-r); h/T^2 times 0, pi^2/2,
-    /// 2 pi, 1/(r (1-r)).
+    /// The handbooks' maximum speeds and accelerations: h/T times 1, pi/2, 2, 1/(1-r); h/T^2 times
+    /// 0, pi^2/2, 2 pi, 1/(r (1-r)).
     #[test]
-    fn every_law_has_the_peaks_of_the_handbooks() {
+    fn every_law_has_handbook_peaks() {
         let speeds = [1.0, PI / 2.0, 2.0, 4.0 / 3.0, 2.0];
         let accelerations = [0.0, PI * PI / 2.0, 2.0 * PI, 16.0 / 3.0, 4.0];
         for ((law, speed), acceleration) in LAWS.into_iter().zip(speeds).zip(accelerations) {
@@ -316,9 +316,9 @@ mod tests {
         }
     }
 
-    /// Each derivative is the slope of what stands before it.
+    /// Compares each derivative with the slope of the preceding quantity.
     #[test]
-    fn speed_is_the_slope_of_the_way_and_acceleration_that_of_the_speed() {
+    fn speed_and_acceleration_match_difference_quotients() {
         for law in LAWS {
             let shape = shape(law);
             for k in 1..50 {
@@ -340,7 +340,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_follow_each_other_and_begin_anew() {
+    fn steps_follow_each_other_and_repeat() {
         let steps = vec![
             step(StepLaw::Cycloidal, 120.0, 0.5),
             step(StepLaw::Constant, 120.0, 0.25),
@@ -359,10 +359,10 @@ mod tests {
         assert_eq!(law.joints().collect::<Vec<_>>(), [0.5, 0.75, 1.0]);
     }
 
-    /// 0.1 + 0.2 is not 0.3 in doubles, nor are ten times 0.1 the period: the step that begins at a joint holds there all
-    /// the same, and the one before it ends there, however the time was come by.
+    /// In doubles, 0.1 + 0.2 is not 0.3, and ten times 0.1 is not the period. Still, at a joint the
+    /// next step has begun and the one before has ended, for any computation of the time.
     #[test]
-    fn rounding_does_not_decide_which_step_a_joint_belongs_to() {
+    fn rounding_does_not_change_step_at_joint() {
         let steps = vec![
             step(StepLaw::Constant, 30.0, 0.1),
             step(StepLaw::Constant, 30.0, 0.2),
@@ -388,22 +388,24 @@ mod tests {
                 near(moment.speed, speed);
             }
         }
-        // Within a step, too: the ramp of 0.07 s ends at 0.67 s, and there nothing accelerates.
+        // Within a step, too: the ramp of 0.07 s ends at 0.67 s, and the acceleration there is
+        // zero.
         assert_eq!(law.at(0.67).acceleration, 0.0);
         assert!(law.at(0.6).acceleration < -1.0);
     }
 
-    /// Coordinate, speed and acceleration are within what is said of them, held against formulas of the handbooks in
-    /// twice the digits: of the decimals as they were typed, and no wider than some roundings.
+    /// Coordinate, speed and acceleration are within their bounds, compared with the handbooks'
+    /// formulas in double-double for the typed decimals. The bounds are at most some rounding
+    /// errors wide.
     #[test]
-    fn what_a_moment_is_off_by_covers_its_rounding() {
+    fn moment_error_covers_rounding() {
         use crate::Double;
         let tenths = |n: u32| Double::exactly(f64::from(n)) / Double::exactly(1000.0);
         let pi = Double::exactly(180.0) * Double::RADIAN;
         let mut largest = [0.0_f64; 3];
         for (number, law) in LAWS.into_iter().enumerate() {
             for k in 1..700_u32 {
-                // From 12.3 to 131.7 in 0.7 s, at a time of so many thousandths.
+                // From 12.3 to 131.7 in 0.7 s, at a time of k thousandths.
                 let steps = vec![step(law, 131.7, 0.7), step(StepLaw::Harmonic, 12.3, 0.6)];
                 let motion = MotionLaw::new(12.3, steps, false).unwrap();
                 let time = f64::from(k) / 1000.0;
@@ -471,7 +473,7 @@ mod tests {
 
     /// The first step of 0.5 s ends where the table of the second begins.
     #[test]
-    fn a_table_goes_on_where_the_step_before_it_ended() {
+    fn table_starts_where_previous_step_ended() {
         let table = |from| {
             let knots = vec![[0.0, from], [0.5, 30.0], [1.0, 0.0]];
             TimedStep::Table(ClampedSpline::new(knots).unwrap())
@@ -480,18 +482,18 @@ mod tests {
         let law = MotionLaw::new(0.0, steps(60.0), false).unwrap();
         near(law.period(), 1.5);
         near(law.at(1.0).at, 30.0);
-        // As s^2 (3 - 2 s) falls from 60 to 0 in 1 s: 1.5 times the mean speed in the middle.
+        // s^2 (3 - 2 s) falls from 60 to 0 in 1 s: 1.5 times the mean speed in the middle.
         near(law.at(4.0).speed, -90.0);
         near(law.at(0.5).acceleration, -6.0 * 60.0);
         assert_eq!(MotionLaw::new(0.0, steps(50.0), false), None);
     }
 
     #[test]
-    fn whole_turns_go_on_and_other_ends_are_refused() {
+    fn whole_turns_accumulate_and_other_ends_are_rejected() {
         let index = |to| vec![step(StepLaw::Cycloidal, to, 1.0)];
         let law = MotionLaw::new(30.0, index(390.0), true).unwrap();
         near(law.at(2.5).at, 30.0 + 720.0 + 180.0);
-        // Of 360.3 - 0.3 rounding leaves something.
+        // 360.3 - 0.3 has a rounding error.
         assert_eq!(
             MotionLaw::new(0.3, index(360.3), true).unwrap().advance(),
             360.0

@@ -148,9 +148,10 @@ mod tests {
         link.members[1]
     }
 
-    /// What a double holds is known exactly; half an ulp of 90.1 deg at the end of 180 mm is 2.2e-14 mm.
+    /// Exactly representable values have no error; half an ulp of 90.1 deg at the end of 180 mm is
+    /// 2.2e-14 mm.
     #[test]
-    fn a_place_is_known_as_well_as_its_length_and_its_angle() {
+    fn position_error_follows_from_length_and_angle() {
         let exact = seen_at(180.0, 90.0);
         assert_eq!(exact.local, Vec2::new(300.0, 180.0));
         assert_eq!(exact.given().map(Constant::off).x, 1e-31 * 300.0);
@@ -162,9 +163,9 @@ mod tests {
         assert!((1.4e-14..1.5e-14).contains(&long.y.radius), "{long:?}");
     }
 
-    /// What is stored is not what is meant, and lies within what is said of it.
+    /// The stored value differs from the typed one, and the difference is within its bound.
     #[test]
-    fn what_is_meant_lies_within_what_is_known() {
+    fn typed_position_is_within_error_of_given_one() {
         for (length, angle) in [(180.1, 72.3), (0.7, -40.1), (12.3, 33.0), (1e-3, 359.9)] {
             let seen = seen_at(length, angle);
             let (given, meant) = (seen.given(), seen.meant(true));

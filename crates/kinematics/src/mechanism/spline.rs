@@ -309,9 +309,10 @@ fn solved<T: Number>(mut rows: Vec<BendRow<T>>) -> Vec<T> {
 mod tests {
     use super::*;
 
-    /// s^2 (3 - 2 s) is a cubic at rest at both ends: through its own knots there is no other.
+    /// s^2 (3 - 2 s) is a cubic at rest at both ends, and the only such spline through its own
+    /// knots.
     #[test]
-    fn a_cubic_at_rest_at_both_ends_is_found_again() {
+    fn cubic_at_rest_at_both_ends_is_reproduced() {
         let cubic = |s: f64| s * s * (3.0 - 2.0 * s);
         for places in [&[0.0, 1.0][..], &[0.0, 0.1, 0.25, 0.7, 1.0]] {
             let knots = places.iter().map(|&s| [s, cubic(s)]).collect();
@@ -326,10 +327,11 @@ mod tests {
         }
     }
 
-    /// Three knots leave one slope m free at (0.2, 40); of the cubics of Hermite the second derivatives meet there
-    /// where 2 m / h0 + 2 m / h1 = 3 d0 / h0 + 3 d1 / h1: m = 3 (200/0.2 + 80/0.3 * 1/0.3) / (2 (1/0.2 + 1/0.3)).
+    /// Three knots leave one free slope m at (0.2, 40). The second derivatives of the Hermite
+    /// cubics agree there if 2 m / h0 + 2 m / h1 = 3 d0 / h0 + 3 d1 / h1: m = 3 (200/0.2 + 80/0.3 *
+    /// 1/0.3) / (2 (1/0.2 + 1/0.3)).
     #[test]
-    fn through_three_knots_the_slope_in_the_middle_is_known() {
+    fn slope_at_middle_of_three_knots_matches_formula() {
         let spline = ClampedSpline::new(vec![[0.0, 0.0], [0.2, 40.0], [0.5, 120.0]]).unwrap();
         let (rise, other) = (200.0 / 0.2, 80.0 / 0.3 / 0.3);
         let slope = 3.0 * (rise + other) / (2.0 * (5.0 + 1.0 / 0.3));
@@ -345,7 +347,7 @@ mod tests {
     }
 
     #[test]
-    fn knots_that_do_not_grow_are_refused() {
+    fn invalid_knots_are_rejected() {
         assert_eq!(ClampedSpline::new(vec![[0.0, 1.0]]), None);
         assert_eq!(ClampedSpline::new(vec![[0.0, 1.0], [0.0, 2.0]]), None);
         assert_eq!(ClampedSpline::new(vec![[0.0, 1.0], [1.0, f64::NAN]]), None);

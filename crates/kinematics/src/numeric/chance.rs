@@ -68,9 +68,9 @@ impl SeededChance {
 mod tests {
     use super::*;
 
-    /// The first numbers of seed 1234567, as other programs with the same generator have them.
+    /// The first numbers of seed 1234567, as other implementations of the generator produce them.
     #[test]
-    fn it_is_the_generator_that_it_says() {
+    fn generator_matches_other_implementations() {
         let mut chance = SeededChance::new(1_234_567);
         let first: Vec<u64> = (0..3).map(|_| chance.next()).collect();
         let known = [
@@ -81,9 +81,9 @@ mod tests {
         assert_eq!(first, known);
     }
 
-    /// Mean, spread and the third moment of many.
+    /// Checks the first four moments of many numbers.
     #[test]
-    fn normal_numbers_are_normal() {
+    fn normal_numbers_have_normal_moments() {
         let mut chance = SeededChance::new(3);
         let count = 200_000;
         let mut sums = [0.0; 4];
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_are_among_the_numbers() {
+    fn ranges_include_both_ends() {
         let mut chance = SeededChance::new(1);
         let all: Vec<u32> = (0..200).map(|_| chance.between(3, 5)).collect();
         for number in 3..=5 {

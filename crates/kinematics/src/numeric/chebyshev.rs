@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn a_smooth_function_is_met_everywhere_with_slope_and_integral() {
+    fn smooth_function_slope_and_integral_are_accurate() {
         let sum = through(|t| (2.0 * t).exp() * (3.0 * t).sin());
         let primitive =
             |t: f64| (2.0 * t).exp() * (2.0 * (3.0 * t).sin() - 3.0 * (3.0 * t).cos()) / 13.0;
@@ -201,15 +201,15 @@ mod tests {
     }
 
     #[test]
-    fn the_integral_of_a_square_is_exact() {
+    fn integral_of_product_is_exact() {
         // (t^3 - 2)(5 t^2 + t), from -1 to 1: the even part is t^4 - 10 t^2.
         let (a, b) = (through(|t| t.powi(3) - 2.0), through(|t| 5.0 * t * t + t));
         assert!((a.product(&b) - (2.0 / 5.0 - 20.0 / 3.0)).abs() < 1e-14);
     }
 
     #[test]
-    fn zeros_are_found_even_where_two_are_close() {
-        // (t - 0.3)^2 - 1e-8: twice 0 within 2e-4.
+    fn close_zeros_are_found() {
+        // (t - 0.3)^2 - 1e-8: two zeros within 2e-4.
         let sum = through(|t| (t - 0.3).powi(2) - 1e-8);
         let turns = sum.turns();
         let zeros = sum.zeros(&turns);
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_met_shows_in_the_last_terms() {
+    fn poor_fit_has_large_tail_and_noise_is_flat() {
         assert!(through(|t| (t - 0.1).abs()).tail() > 1e-4);
         let noise = through(|t| (t * 1e9).sin() * 1e-16);
         assert!(noise.is_flat());

@@ -117,8 +117,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn minima_of_known_functions_are_found_to_what_is_promised() {
-        // The cosine at pi, and a quartic, which is level for longer.
+    fn minima_of_known_functions_are_accurate() {
+        // The cosine at pi, and a quartic, which is flatter.
         let around = |f: fn(f64) -> f64, low: f64, at: f64, high: f64| {
             let mut count = 0;
             let counted = |x| {
@@ -144,11 +144,11 @@ mod tests {
     }
 
     #[test]
-    fn where_there_is_no_minimum_it_says_why() {
+    fn error_explains_missing_minimum() {
         let gap = lowest(|_| None, [0.0, 1.0], (0.4, 2.0)).unwrap_err();
         assert!(matches!(gap, Unsettled::Gap { at, .. } if (0.4..1.0).contains(&at)));
         assert_eq!(gap.best(), (0.4, 2.0));
-        // It falls without end towards the end of numbers.
+        // The function decreases up to the largest double.
         let spent = lowest(|x| Some(-x), [0.0, f64::MAX], (1.0, -1.0)).unwrap_err();
         assert!(matches!(spent, Unsettled::Spent { .. }), "{spent:?}");
         assert!(spent.best().0 > 1e300);

@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn a_double_root_and_none_at_all() {
+    fn double_root_and_missing_roots() {
         let found = polynomial_roots(&with(&[0.5, 0.5, -2.0]));
         assert!(
             found
@@ -95,7 +95,7 @@ mod tests {
         assert_eq!(polynomial_roots(&[0.0, 0.0]), Vec::<f64>::new());
         assert_eq!(polynomial_roots(&[4.0]), Vec::<f64>::new());
         assert_eq!(polynomial_roots(&[f64::NAN, 1.0]), Vec::<f64>::new());
-        // The zeros behind the highest term are none.
+        // Leading zero coefficients do not add roots.
         assert_eq!(polynomial_roots(&[-2.0, 1.0, 0.0, 0.0]), vec![2.0]);
     }
 }

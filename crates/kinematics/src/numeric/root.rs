@@ -133,7 +133,7 @@ mod tests {
     }
 
     #[test]
-    fn finds_roots_to_the_last_digit_in_few_evaluations() {
+    fn finds_root_to_last_digit_in_few_evaluations() {
         let count = std::cell::Cell::new(0);
         let cubed = |x: f64| {
             count.set(count.get() + 1);
@@ -148,27 +148,27 @@ mod tests {
     }
 
     #[test]
-    fn finds_steep_roots_and_those_at_an_end() {
-        // As a rate beside a limit: a square root, with a pole of the derivative at the end.
+    fn finds_steep_roots_and_roots_at_ends() {
+        // Like a rate next to a limit: a square root, whose derivative has a pole at the end.
         let found = of(0.0, 1.0, |x| x.sqrt() - 1e-3).unwrap();
         assert!((found - 1e-6).abs() < 1e-19, "{found:e}");
         assert_eq!(of(0.0, 1.0, |x| x), Ok(0.0));
     }
 
     #[test]
-    fn a_blurred_root_is_a_round_one() {
+    fn indistinct_root_is_rounded() {
         assert_eq!(of(-1.0, 0.7, |x| (x - 0.25) * 1e-300), Ok(0.25));
         assert_eq!(of(-1.0, 0.7, f64::sin), Ok(0.0));
     }
 
     #[test]
-    fn where_there_is_no_root_it_says_why() {
+    fn error_explains_missing_root() {
         assert_eq!(of(1.0, 2.0, |x| x), Err(NoRoot::SameSign));
         let nan = root((0.0, f64::NAN), (1.0, 1.0), 1e-9, Some);
         assert_eq!(nan, Err(NoRoot::SameSign));
         let gap = root((0.0, -1.0), (1.0, 1.0), 1e-9, |_| None);
         assert_eq!(gap, Err(NoRoot::Gap(0.5)));
-        // Halved 200 times it is still wider than the least of all numbers.
+        // After 200 bisections, the interval is still wider than the smallest number.
         let step = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
         let Err(NoRoot::Unsettled(low, high)) = of(-1.0, 1.0, step) else {
             panic!("it cannot be settled");
@@ -180,11 +180,11 @@ mod tests {
     }
 
     #[test]
-    fn roots_are_changes_of_the_sign() {
+    fn roots_are_sign_changes() {
         let places = || (0..=10).map(f64::from);
         let all = |f: fn(f64) -> Option<f64>| roots(places(), f64::EPSILON, f);
         assert_eq!(all(|x| Some((x - 2.5) * (x - 7.0))), [2.5, 7.0]);
-        // Touched from above and from below, and passed on two places that are roots both.
+        // Touched from above and from below, and crossed between two places that are both roots.
         assert_eq!(all(|x| Some((x - 3.0).powi(2))), [0.0; 0]);
         assert_eq!(all(|x| Some(-(x - 3.0).powi(2))), [0.0; 0]);
         let flat = all(|x| Some((x - 5.0).max(0.0) + (x - 4.0).min(0.0)));
@@ -192,7 +192,7 @@ mod tests {
             flat.len() == 1 && (4.0..=5.0).contains(&flat[0]),
             "{flat:?}"
         );
-        // Where nobody knows what lies between, there is none.
+        // Without a value in between, there is no root.
         assert_eq!(all(|x| (x != 3.0).then_some(x - 3.0)), [0.0; 0]);
     }
 }

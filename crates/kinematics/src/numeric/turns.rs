@@ -86,7 +86,7 @@ mod tests {
     }
 
     #[test]
-    fn turns_are_told_from_ends_and_from_noise() {
+    fn turns_are_distinguished_from_ends_and_noise() {
         let values = [0.0, 1.0, 0.95, 1.01, 0.0, 0.5];
         assert_eq!(
             found(&values, false),
@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn where_values_go_round_the_ends_are_no_ends() {
+    fn periodic_values_have_no_ends() {
         let round = |k: i32| (f64::from(k) * std::f64::consts::TAU / 12.0).cos();
         let values: Vec<f64> = (0..=12).map(round).collect();
         assert_eq!(found(&values, true), [(0, true, false), (6, false, false)]);

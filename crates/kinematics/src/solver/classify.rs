@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn the_shortest_link_names_the_inversion() {
+    fn shortest_link_determines_inversion() {
         use Inversion::{CrankRocker, DoubleCrank, DoubleRocker, RockerCrank, TripleRocker};
         // Driven, coupler, follower, frame.
         assert_eq!(
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn equality_within_rounding_is_a_change_point_and_a_near_miss_is_not() {
+    fn equal_sums_are_change_point_and_near_miss_is_not() {
         assert_eq!(kind([1.0, 3.0, 1.0, 3.0]).0, Grashof::ChangePoint);
         // 0.1 + 0.4 = 0.2 + 0.3 in decimals.
         assert_eq!(kind([0.1, 0.4, 0.2, 0.3]).0, Grashof::ChangePoint);
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn a_rod_as_long_as_crank_and_offset_is_a_change_point() {
+    fn rod_as_long_as_crank_and_offset_has_zero_margin() {
         let margin = |lengths| match slider_crank(lengths) {
             DrivenLoop::SliderCrank { margin, .. } => margin,
             DrivenLoop::FourBar { .. } => f64::NAN,

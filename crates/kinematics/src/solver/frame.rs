@@ -258,7 +258,7 @@ mod tests {
     use super::power_of_two_below;
 
     #[test]
-    fn the_scale_is_a_power_of_two_not_above_the_length() {
+    fn scale_is_largest_power_of_two_up_to_length() {
         for (length, expected) in [
             (400.0, 256.0),
             (1.0, 1.0),

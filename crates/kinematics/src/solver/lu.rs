@@ -95,7 +95,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn solves_what_needs_pivots() {
+    fn solves_system_that_needs_pivoting() {
         let a = [0.0, 2.0, 1.0, 1.0, 0.0, 3.0, 4.0, 5.0, 0.0];
         let x = [1.0, -2.0, 0.5];
         let mut right: Vec<f64> = (0..3).map(|i| dot(&a[3 * i..3 * i + 3], &x)).collect();
@@ -108,7 +108,7 @@ mod tests {
     }
 
     #[test]
-    fn solves_with_the_transpose() {
+    fn solves_transposed_system() {
         let a = [0.0, 2.0, 1.0, 1.0, 0.0, 3.0, 4.0, 5.0, 0.0];
         let x = [1.0, -2.0, 0.5];
         let column = |i: usize| [a[i], a[3 + i], a[6 + i]];
@@ -122,7 +122,7 @@ mod tests {
     }
 
     #[test]
-    fn the_sign_is_that_of_the_determinant() {
+    fn factor_returns_sign_of_determinant() {
         let mut matrix = [0.0, 2.0, 3.0, 0.0];
         assert_eq!(factor(&mut matrix, &mut [0; 2], 2), Some(-1.0));
         let mut matrix = [-1.0, 0.0, 5.0, -4.0];
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn nan_is_larger_than_all() {
+    fn largest_returns_nan_if_present() {
         assert_eq!(largest(&[1.0, -3.0, 2.0]), 3.0);
         for place in 0..3 {
             let mut v = [1.0, -3.0, 2.0];
@@ -140,7 +140,7 @@ mod tests {
     }
 
     #[test]
-    fn a_singular_matrix_is_told() {
+    fn singular_matrix_returns_none() {
         let mut matrix = [1.0, 2.0, 2.0, 4.0];
         assert_eq!(factor(&mut matrix, &mut [0; 2], 2), None);
         assert_eq!(factor(&mut [f64::NAN], &mut [0; 1], 1), None);

@@ -1,18 +1,21 @@
-//! Angle to angle: Freudenstein's equation with signed ratios (Freudenstein 1955, "Approximate synthesis of four-bar
-//! linkages", Trans. ASME 77, 853-861).
+//! Solves angle-to-angle functions by Freudenstein's equation with signed ratios (Freudenstein
+//! 1955, "Approximate synthesis of four-bar linkages", Trans. ASME 77, 853-861).
 //!
-//! With the pivots 1 apart, the crank z e^(i p) and the output link w e^(i q), z and w complex, C - B = b says
+//! With the pivots 1 apart, the crank z e^(i p) and the output link w e^(i q), z and w complex, C -
+//! B = b says
 //!
 //! ```text
 //! |1 + w e^iq - z e^ip|^2 = b^2
 //! s + Re(w e^iq) - Re(z e^ip) - Re(u e^i(q - p)) = 0,   s = (1 + |w|^2 + |z|^2 - b^2) / 2,   u = w z*
 //! ```
 //!
-//! which divided by |w z| is K1 cos(phi) - K2 cos(psi) + K3 = cos(phi - psi). The arguments of z and w are the datums.
-//! Where both are given, z and w are real, and a negative one is a link that stands opposite to its angle: three pairs
-//! are linear in (s, w, z, u) up to a factor. Every free datum adds what makes its pair, and the condition that u / (w z*)
-//! is real: u w* z is of the third degree, so that four pairs have two solutions at most (the third is w = 0 or z = 0)
-//! and five have three.
+//! which divided by |w z| is K1 cos(phi) - K2 cos(psi) + K3 = cos(phi - psi). The arguments of z
+//! and w are the datums.
+//!
+//! If both datums are given, z and w are real, and a negative one is a link opposite to its angle.
+//! Three pairs are then linear in (s, w, z, u) up to a factor. Every free datum makes its factor
+//! complex and adds the condition that u / (w z*) is real. The condition on u w* z has degree 3, so
+//! that four pairs have at most two solutions (the third is w = 0 or z = 0) and five have three.
 
 use super::lines::solved;
 use super::linkage::FunctionLinkage;
@@ -21,14 +24,16 @@ use super::wanted::{FunctionLaw, WantedFunction};
 use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DVector};
 
-/// Where the unknowns stand in a vector: s first.
+/// The layout of the unknowns in a vector: s, w, z, u, each complex one as real and imaginary part.
 struct AngleColumns {
     crank_is_free: bool,
     output_is_free: bool,
 }
 
-/// All four-bars through as many pairs as there are unknowns; through more the ones that miss least in the equation, as
-/// places to start from. The scales are given.
+/// Returns all four-bars through as many pairs as there are unknowns. For more pairs, returns the
+/// ones with the smallest residual of the equation, as starting points.
+///
+/// Returns `None` if a scale is free.
 pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     let (angles, crank_scale, output_scale) = law_angles(wanted)?;
     let columns = AngleColumns {
@@ -61,7 +66,8 @@ impl AngleColumns {
         !self.crank_is_free && !self.output_is_free
     }
 
-    /// One pair's equation: the factors of s, w, z and u, of each the real and, where it has one, the imaginary part.
+    /// Returns one pair's equation: the factors of s, w, z and u, each with the real part and, for
+    /// a complex unknown, the imaginary part.
     fn row(&self, p: f64, q: f64) -> Vec<f64> {
         let mut row = vec![1.0];
         let mut put = |angle: f64, sign: f64, is_complex: bool| {
@@ -76,7 +82,7 @@ impl AngleColumns {
         row
     }
 
-    /// s, w, z and u of a vector.
+    /// Returns s, w, z and u of a vector.
     fn parts(&self, v: &DVector<f64>) -> (f64, [Complex<f64>; 3]) {
         let mut at = 1;
         let mut take = |is_complex: bool| {
@@ -96,7 +102,8 @@ impl AngleColumns {
         (u * w.conj() * z).im
     }
 
-    /// The linkage of a vector, which stands for all its multiples, and the arguments of z and w.
+    /// Returns the linkage of a vector, which is defined up to a factor, and the arguments of z and
+    /// w.
     fn linkage(
         &self,
         v: &DVector<f64>,

@@ -1,18 +1,21 @@
-//! Datums and scales from where the pins are.
+//! Fits datums and scales to the positions of the pins.
 
 use super::wanted::wrapped;
 
-/// The indices from the least to the greatest x.
+/// Returns the indices in ascending order of x.
 pub(super) fn in_order(xs: &[f64]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..xs.len()).collect();
     order.sort_by(|a, b| xs[*a].total_cmp(&xs[*b]));
     order
 }
 
-/// The datum and the scale, given or not, with which `datum + scale value` fits measured numbers best; of angles up to
-/// full turns, and of a given datum up to its `period`: half a turn of a link that may stand opposite to its angle, a whole
-/// one of a crank that may not, none of a travel. What is minimised is the miss counted in the value, as where the
-/// linkage was found.
+/// Fits `datum + scale value` to measured numbers and returns the datum and the scale, each of
+/// which may be given.
+///
+/// Angles are determined up to full turns. A given datum is determined up to its `period`: half a
+/// turn for a link that may be opposite to its angle, a whole turn for a crank that may not, and
+/// `None` for a travel. The miss is minimised in units of the value, as in the search that found
+/// the linkage.
 pub(super) fn fitted(
     order: &[usize],
     values: &[f64],
@@ -26,7 +29,8 @@ pub(super) fn fitted(
     if period.is_some() {
         let mut before = first;
         for &i in order {
-            // Where the scale is given it says on which turn the next one is; else that is the nearest.
+            // A given scale determines the turn of the next value; if it is free, the nearest turn
+            // applies.
             let guess = match expected(values[i]) {
                 Some(way) => measured[first] + way,
                 None => unwrapped[before],
@@ -44,14 +48,15 @@ pub(super) fn fitted(
     let turned = |rest: f64| period.map_or(0.0, |period| (rest / period).round() * period);
     let fitted = match (datum, scale) {
         (None, None) => {
-            // The line of the value over what was measured.
+            // The regression line of the value over the measured numbers.
             let scale = product(&unwrapped, level, &unwrapped, level)
                 / product(values, middle, &unwrapped, level);
             [level - scale * middle, scale]
         }
         (None, Some(scale)) => [level - scale * middle, scale],
         (Some(datum), None) => {
-            // First as if the datum were free, to see how it is turned; then through it.
+            // First with a free datum, to find the number of periods; then with the line through
+            // the datum.
             let rough = product(&unwrapped, level, &unwrapped, level)
                 / product(values, middle, &unwrapped, level);
             let from = datum + turned(level - rough * middle - datum);

@@ -1,31 +1,33 @@
-//! Linear equations with one condition of the third degree beside them.
+//! Solves linear equations with one additional cubic condition.
 //!
-//! Both equations of this room are linear in products of the unknowns. Where there are two fewer equations than
-//! products, what solves them is a plane through the origin, v = t v1 + v2 up to a factor; that one product is the
-//! product of two others is a cubic in t: at most three solutions, and all of them.
+//! The equations of both outputs are linear in products of the unknowns. If there are two fewer
+//! equations than products, the solutions form a plane through the origin, v = t v1 + v2 up to a
+//! factor. The condition that one product equals the product of two others is a cubic in t. It has
+//! at most three solutions, and all of them are found.
 
 use kinematics::numeric::polynomial_roots;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-/// Sweeps of a decomposition of so small a matrix end long before.
+/// Maximum number of iterations of a decomposition; so small a matrix needs far fewer.
 const SWEEPS: usize = 200;
-/// Equations are fewer than they look where a singular value is this part of the largest.
+/// A singular value below this part of the largest one reduces the rank of the equations.
 const SINGULAR: f64 = 1e-12;
-/// The condition holds everywhere where it is this part of what its vectors could make it.
+/// The condition holds everywhere if its largest value on unit vectors is below this limit.
 const EVERYWHERE: f64 = 1e-12;
-/// So many are taken of solutions without number.
+/// Number of samples from a continuous family of solutions.
 pub(super) const SAMPLES: usize = 24;
 
-/// Vectors that solve, up to a factor each, and whether there are no others.
+/// Solution vectors, each up to a factor, and whether these are all.
 #[derive(Clone, Debug, Default)]
 pub(super) struct SolvedLines {
     pub(super) vectors: Vec<DVector<f64>>,
     pub(super) is_complete: bool,
 }
 
-/// What solves rows of equations, in the least squares where they are many, on the `free` (1 or 2) directions that do
-/// so best; of two those on which `condition`, homogeneous of the third degree, is 0.
+/// Solves rows of equations, in the least-squares sense if they are many, on the `free` (1 or 2)
+/// directions with the smallest residuals. With two directions, returns the vectors on which
+/// `condition`, a homogeneous cubic, is 0.
 pub(super) fn solved(
     rows: &[Vec<f64>],
     free: usize,
@@ -50,11 +52,11 @@ pub(super) fn solved(
     }
 }
 
-/// The directions of the unknowns from the one that rows hold most to the one that they hold least, and of how many they
-/// hold at all.
+/// Returns the right singular vectors in descending order of their singular values, and the
+/// numerical rank.
 fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
     let width = rows.first()?.len();
-    // Each row is as large as any other, and rows of nought complete the square.
+    // Each row is scaled to the same size, and zero rows complete the square.
     let height = rows.len().max(width);
     let mut matrix = DMatrix::zeros(height, width);
     for (i, row) in rows.iter().enumerate() {
@@ -77,12 +79,13 @@ fn directions(rows: &[Vec<f64>]) -> Option<(Vec<DVector<f64>>, usize)> {
     Some((space, rank))
 }
 
-/// Solutions without number: those on the planes of neighbouring directions.
+/// Samples a continuous family of solutions on planes of pairs of directions.
 fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> SolvedLines {
     let mut vectors = Vec::new();
     for (k, one) in space.iter().enumerate() {
         for two in &space[k + 1..] {
-            // One more direction than the condition takes: it holds on both of the plane's lines.
+            // With one more direction than the condition needs, the condition is solved on the
+            // plane of a sample and the third direction.
             let planes = (0..SAMPLES).map(|i| {
                 let (sin, cos) = (PI * i as f64 / SAMPLES as f64).sin_cos();
                 one * cos + two * sin
@@ -102,7 +105,7 @@ fn family(space: &[DVector<f64>], condition: impl Fn(&DVector<f64>) -> f64) -> S
     }
 }
 
-/// Where the condition is 0 on the plane of two directions.
+/// Solves the condition on the plane of two directions.
 fn on_a_plane(
     one: &DVector<f64>,
     two: &DVector<f64>,
@@ -113,7 +116,8 @@ fn on_a_plane(
         (one * cos + two * sin, two * cos - one * sin)
     };
     let looks = (0..8).map(|k| turned(PI * f64::from(k) / 8.0));
-    // In the direction in which the condition is farthest from 0 no solution lies: t stays small.
+    // In the direction with the largest absolute value of the condition lies no solution, so t
+    // stays small.
     let most = looks
         .map(|(a, b)| (condition(&a).abs(), a, b))
         .max_by(|a, b| a.0.total_cmp(&b.0));
@@ -150,8 +154,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_products_on_a_plane() {
-        // x = 1, y = 2 z + w with x y z = w^3 is a cubic in w / x... planted: (1, 5, 2, 1) solves the rows.
+    fn cubic_condition_on_plane_finds_known_solution() {
+        // x = 1, y = 2 z + w with x y z = w^3 is a cubic in w / x; the known vector (1, 5, 2, 1)
+        // solves the rows.
         let rows = [vec![5.0, -1.0, 0.0, 0.0], vec![0.0, 1.0, -2.0, -1.0]];
         let condition = |v: &DVector<f64>| v[0] * v[1] * v[2] - 10.0 * v[3].powi(3);
         let solved = solved(&rows, 2, condition);
@@ -164,7 +169,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_that_repeat_leave_solutions_without_number() {
+    fn dependent_rows_give_sampled_family() {
         let rows = [vec![1.0, 2.0, 3.0], vec![2.0, 4.0, 6.0]];
         let solved = solved(&rows, 1, |_| 0.0);
         assert!(!solved.is_complete && solved.vectors.len() == SAMPLES);

@@ -1,36 +1,38 @@
-//! A linkage of this room, and what its output is where its crank is.
+//! A function-generating linkage and its output at a crank angle.
 
 use crate::Output;
 use kinematics::Vec2;
 
-/// No length is longer, and none shorter by its inverse, as a part of the size: it would be no linkage to build.
+/// Maximum length relative to the size, and the inverse of the minimum: beyond these limits the
+/// linkage could not be built.
 const MOST: f64 = 1e6;
 
-/// A crank on the origin, and what follows it. Of an angle the other pivot is at (1, 0), and the output is the angle of
-/// the link on it; of a slide the crank is 1 long, and the output is the pin's x on the line y = `third`.
+/// A crank at the origin with its follower. For an angle, the other pivot is at (1, 0), and the
+/// output is the angle of the link on it. For a slide, the crank is 1 long, and the output is the
+/// pin's x on the line y = `third`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FunctionLinkage {
     pub(super) output: Output,
-    /// Negative where the link stands opposite to its angle: a datum that is turned by 180 deg.
+    /// Negative if the link is opposite to its angle, which is a datum turned by 180 deg.
     pub(super) crank: f64,
     pub(super) coupler: f64,
-    /// The link on the other pivot, signed as the crank is; of a slide its line's y.
+    /// The link on the other pivot, signed like the crank; for a slide, the y of its line.
     pub(super) third: f64,
 }
 
-/// An output, how much the linkage falls short of reaching it, and the derivatives of both by crank, coupler, third and
-/// the crank's angle.
+/// An output, by how much the linkage fails to close, and the derivatives of both with respect to
+/// crank, coupler, third and the crank's angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OutputReach {
     pub(super) output: f64,
     pub(super) by: [f64; 4],
-    /// 0 where the linkage closes; elsewhere the output is that of the dead point nearest by.
+    /// 0 if the linkage closes. If not, the output is that of the nearest dead point.
     pub(super) short: f64,
     pub(super) short_by: [f64; 4],
 }
 
 impl FunctionLinkage {
-    /// Whether it can be built.
+    /// Returns `true` if the linkage can be built.
     pub(super) fn is_sound(&self) -> bool {
         let is_length = |l: f64| l.abs() < MOST && l.abs() > 1.0 / MOST;
         let third = match self.output {
@@ -40,7 +42,8 @@ impl FunctionLinkage {
         is_length(self.crank) && self.coupler > 0.0 && is_length(self.coupler) && third
     }
 
-    /// The longest length by the shortest; the line of a slide may go through the pivot.
+    /// Returns the ratio of the longest length to the shortest. A slide's line does not count,
+    /// since it may go through the pivot.
     pub(super) fn ratio(&self) -> f64 {
         let third = match self.output {
             Output::Angle => self.third.abs(),
@@ -51,13 +54,13 @@ impl FunctionLinkage {
         longest / lengths.into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Where the crank's pin is.
+    /// Returns the position of the crank's pin; the angle is in radians.
     pub(super) fn b(&self, angle: f64) -> Vec2 {
         let (sin, cos) = angle.sin_cos();
         Vec2::new(self.crank * cos, self.crank * sin)
     }
 
-    /// Where the coupler's other pin is.
+    /// Returns the position of the coupler's other pin.
     pub(super) fn c(&self, output: f64) -> Vec2 {
         match self.output {
             Output::Angle => {
@@ -68,7 +71,8 @@ impl FunctionLinkage {
         }
     }
 
-    /// On which side of the crank's pin, seen from the other pivot, or along the line, an output is: 1 or -1.
+    /// Returns the side of the crank's pin on which an output lies, 1 or -1: seen from the other
+    /// pivot, or along the line.
     pub(super) fn side(&self, angle: f64, output: f64) -> f64 {
         let b = self.b(angle);
         let across = match self.output {
@@ -78,19 +82,21 @@ impl FunctionLinkage {
         if across < 0.0 { -1.0 } else { 1.0 }
     }
 
-    /// The output on a side where the crank is at this angle in radians; `None` where the linkage does not close.
+    /// Returns the output on a side at a crank angle in radians; `None` if the linkage does not
+    /// close.
     pub(super) fn output(&self, angle: f64, side: f64) -> Option<f64> {
         let reach = self.reach(angle, side);
         (reach.short == 0.0 && reach.output.is_finite()).then_some(reach.output)
     }
 
-    /// The same with derivatives. With u from D to B, r = |u|, of the rocker's angle psi
+    /// Computes the output on a side with its derivatives. With u from D to B and r = |u|, the
+    /// rocker's angle psi satisfies
     ///   cos(psi - arg u) = k = (r^2 + c^2 - b^2) / (2 r c),   psi = arg u + side acos k,
-    /// and of the slide's place t, with h = b^2 - (e - By)^2,
+    /// and the slide's position t, with h = b^2 - (e - By)^2, is
     ///   t = Bx + side sqrt h.
     pub(super) fn reach(&self, angle: f64, side: f64) -> OutputReach {
         let (sin, cos) = angle.sin_cos();
-        // B and its derivatives by the crank and its angle.
+        // B and its derivatives with respect to the crank and its angle.
         let pin = Vec2::new(self.crank * cos, self.crank * sin);
         let moves = [Vec2::new(cos, sin), pin.perp()];
         match self.output {
@@ -145,7 +151,7 @@ mod tests {
     use kinematics::numeric::SeededChance;
 
     #[test]
-    fn derivatives_are_those_of_the_output_and_of_what_is_missing() {
+    fn derivatives_match_difference_quotients() {
         let mut chance = SeededChance::new(7);
         let mut closed = 0;
         for round in 0..2000 {

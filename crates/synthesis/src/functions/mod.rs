@@ -1,13 +1,15 @@
-//! A function of the crank's angle: a link's angle, or a slide's travel, that follows it.
+//! Synthesis of functions of the crank's angle: a link's angle, or a slide's travel, follows the
+//! crank.
 //!
-//! The crank A-B stands at `crank_datum + crank_scale x` on A = (0, 0). Of [`Output::Angle`] the link D-C stands at
-//! `output_datum + output_scale y` on D = (size, 0), both in degrees from +x, counter-clockwise. Of [`Output::Slide`]
-//! the crank is `size` long, the slide goes along +x (its line's angle is 0) on a line that is found, and C's x is
-//! `output_datum + output_scale y`.
+//! The crank A-B is at the angle `crank_datum + crank_scale x` on A = (0, 0). For [`Output::Angle`]
+//! the link D-C is at the angle `output_datum + output_scale y` on D = (size, 0), both in degrees
+//! from +x, counter-clockwise. For [`Output::Slide`] the crank is `size` long, the slide moves
+//! along +x (its line's angle is 0) on a line found by the search, and C's x is `output_datum +
+//! output_scale y`.
 //!
-//! A link may stand opposite to its angle: a negative ratio in Freudenstein's equation is a datum that is turned by 180
-//! deg, and the linkage is as good as any. A mirror image of a linkage follows the same function with all angles
-//! negative: it is proposed where the scales and datums that are given allow it.
+//! A link may be opposite to its angle: a negative ratio in Freudenstein's equation is a datum
+//! turned by 180 deg, and the linkage is as good as any. A mirror image of a linkage follows the
+//! same function with all angles negative: it is proposed if the given scales and datums allow it.
 //!
 //! ```text
 //! wanted         the task in radians and in parts of its size
@@ -47,46 +49,53 @@ use refine::FunctionDesign;
 use stages::Stages;
 use wanted::WantedFunction;
 
-/// Linkages whose pins nowhere differ by more than this part of the size are one.
+/// Linkages count as one if all their pins differ by less than this part of the size.
 const SAME: f64 = 1e-7;
-/// Of solutions without number so many values of each free number are tried, by how many are to be fixed.
+/// Number of values tried for each free number in a continuous family of solutions, indexed by how
+/// many numbers must be fixed, less 1.
 const FIXED: [usize; 4] = [24, 10, 5, 3];
-/// And so many linkages are proposed at the most; algebra finds no more than six.
+/// Maximum number of proposed linkages; algebra finds at most six.
 const MOST: usize = 240;
-/// What misses by more than this part of the output's swing, in the root of the mean square, follows its function no more.
+/// Maximum root mean square of the misses relative to the output's swing; beyond it, a linkage does
+/// not follow its function.
 pub(super) const USELESS: f64 = 0.1;
-/// Fewer pairs say too little.
+/// Minimum number of pairs for a search.
 const FEWEST: usize = 3;
 
-/// What algebra finds.
+/// The designs found by algebra.
 #[derive(Clone, Debug, Default)]
 struct ExactDesigns {
     designs: Vec<FunctionDesign>,
-    /// Whether there are no others.
+    /// Whether these are all designs.
     is_complete: bool,
 }
 
-/// The search for linkages of the kind that the output asks for.
+/// The search for linkages of the output's kind.
 #[derive(Clone, Copy, Debug)]
 pub struct FunctionSearch<'t> {
-    /// What is wanted.
+    /// The task.
     pub task: &'t FunctionTask,
-    /// Threads.
+    /// The number of threads.
     pub threads: usize,
 }
 
 impl FunctionSearch<'_> {
-    /// Searches; the better linkages come first. `watch` is told the part that is done, from 0 to 1, and stops by answering
-    /// false: what was found until then comes out. The same task gives the same linkages, whatever the threads.
+    /// Searches for linkages and returns them with the best first.
     ///
-    /// As many pairs as there are unknowns (three lengths, of a slide two, and every datum and scale that is free) are met
-    /// exactly, [`Proposals::is_complete`] where all such linkages were found by algebra: where the crank's scale is given,
-    /// and of an angle the output's, too. Of fewer pairs some of the solutions without number are proposed. More are met in
-    /// the least squares of the output's error, in several minima; then C is where the linkage has it, not where it was
-    /// wanted. Where a scale is free, or pairs are many, the search is from many starts, the same ones at every call.
+    /// `watch` receives the completed part, from 0 to 1, and stops the search by returning `false`;
+    /// the linkages found until then are returned. Equal tasks give equal linkages for any
+    /// number of threads.
     ///
-    /// Nothing is found, and nothing complete, of fewer than three pairs or of a task that is not sound: a number that is
-    /// none, a given scale of 0, a size that is not positive.
+    /// As many pairs as there are unknowns (three lengths, or two for a slide, and every free datum
+    /// and scale) are met exactly. [`Proposals::is_complete`] is set if algebra found all such
+    /// linkages: this needs a given crank scale and, for an angle, a given output scale. For fewer
+    /// pairs, some solutions of the continuous family are proposed. More pairs are met in the least
+    /// squares of the output's error, in several minima; then C is at the linkage's output, not at
+    /// the wanted one. If a scale is free, or if there are many pairs, the search runs from many
+    /// starts, the same ones at every call.
+    ///
+    /// The result is empty and not complete for fewer than three pairs, or for an unsound task: a
+    /// number that is not finite, a given scale of 0, or a size that is not positive.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
         let sound = WantedFunction::of(self.task);
@@ -114,7 +123,8 @@ impl FunctionSearch<'_> {
     }
 }
 
-/// Designs, of each whether its output is as wanted at every pair, and whether there are no others.
+/// Returns designs, each with whether its output is as wanted at every pair, and whether these are
+/// all.
 fn designs(
     wanted: &WantedFunction,
     stages: &mut Stages<'_>,
@@ -133,7 +143,8 @@ fn designs(
     (designs.map(|design| (design, false)).collect(), false)
 }
 
-/// Some of the solutions without number: with values for as many free numbers as pairs are missing.
+/// Samples a continuous family of solutions: assigns values to as many free numbers as pairs are
+/// missing.
 fn family(
     wanted: &WantedFunction,
     missing: usize,
@@ -151,13 +162,13 @@ fn family(
             .flat_map(|one| values.iter().map(|&value| one.with(index, value)));
         all = fixed.collect();
     }
-    // Each of them is searched in one thread.
+    // Each member is searched in one thread.
     let alone = |i: usize| designs(&all[i], &mut Stages::new(1, &mut |_| true)).0;
     let found = stages.each([0.0, 1.0], all.len(), alone);
     found.into_iter().flatten().collect()
 }
 
-/// By algebra, where that is known.
+/// Solves by algebra if possible.
 fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     match wanted.output {
         Output::Angle => angle::exact(wanted),
@@ -165,7 +176,8 @@ fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     }
 }
 
-/// Every pair as angles of crank and output without the datums that are free, and both scales; where these are given.
+/// Returns every pair as angles of crank and output, without the free datums, and both scales.
+/// Returns `None` if a scale is free.
 fn law_angles(wanted: &WantedFunction) -> Option<(Vec<[f64; 2]>, f64, f64)> {
     let [crank, crank_scale, output, output_scale] = wanted.given;
     let (crank_scale, output_scale) = (crank_scale?, output_scale?);

@@ -1,8 +1,10 @@
-//! The least squares of the output's own error, by the method of Levenberg and Marquardt with exact derivatives.
+//! Minimises the squares of the output's error by the method of Levenberg and Marquardt with exact
+//! derivatives.
 //!
-//! What is squared is what is read off the output: the angle, or the travel, that the linkage makes less what is
-//! wanted, and not the residual of Freudenstein's equation, which weighs a pair by the transmission angle there. Where
-//! the output's scale is free the miss is counted in y, since a scale of 0 would meet everything.
+//! The residual is the error of the output: the linkage's angle or travel less the wanted one. It
+//! is not the residual of Freudenstein's equation, which weights a pair by the transmission angle
+//! there. If the output's scale is free, the miss is measured in units of y, since a scale of 0
+//! would meet every pair.
 
 use super::linkage::FunctionLinkage;
 use super::wanted::{FunctionLaw, WantedFunction, wrapped};
@@ -11,19 +13,20 @@ use nalgebra::{SMatrix, SVector};
 
 /// Three lengths and four numbers of the law.
 const NUMBERS: usize = 7;
-/// Damping to begin with, by what it grows and shrinks, and beyond which there is no way down.
+/// Initial damping, its factors of growth and shrinking, and its limits; above the maximum there is
+/// no descent.
 const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 6.0;
 const SHRINKING: f64 = 0.15;
 const MOST_DAMPING: f64 = 1e14;
 const LEAST_DAMPING: f64 = 1e-30;
-/// It has arrived where so many steps in turn gain less than this part.
+/// The iteration has converged if `STILL` successive steps gain less than this part of the sum.
 const GAIN: f64 = 1e-10;
 const STILL: usize = 4;
 
 type DesignNumbers = SVector<f64, NUMBERS>;
 
-/// A linkage, what it is to follow, and on which side of its crank's pin its output is.
+/// A linkage, its law, and the side of its crank's pin on which its output lies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FunctionDesign {
     pub(super) linkage: FunctionLinkage,
@@ -31,8 +34,8 @@ pub(super) struct FunctionDesign {
     pub(super) side: f64,
 }
 
-/// The sum of squares at a place, and its derivatives J as a triangle: J = Q R, `goal` = Q'r. The numbers of a smooth
-/// function are nearly dependent, and J'J would square that.
+/// The sum of squares at a point, and its derivatives J as a triangle: J = Q R, `goal` = Q'r. The
+/// numbers of a smooth function are nearly dependent, and J'J would square the condition number.
 #[derive(Clone)]
 struct MissSlopes {
     sum: f64,
@@ -64,7 +67,8 @@ impl FunctionDesign {
         }
     }
 
-    /// The output's miss at a pair as it is counted, and whether the linkage closes there.
+    /// Returns the output's miss at a pair, in the unit of the residuals; `None` if the linkage
+    /// does not close there.
     pub(super) fn miss(&self, wanted: &WantedFunction, [x, y]: [f64; 2]) -> Option<f64> {
         let [datum, scale] = self.law.output;
         let angle = self.law.crank[0] + self.law.crank[1] * x;
@@ -73,7 +77,8 @@ impl FunctionDesign {
         Some(miss / unit(wanted, scale))
     }
 
-    /// The root of the mean square of the misses; `None` where the linkage does not close at every pair.
+    /// Returns the root mean square of the misses; `None` if the linkage does not close at every
+    /// pair.
     pub(super) fn rms(&self, wanted: &WantedFunction) -> Option<f64> {
         let mut sum = 0.0;
         for pair in &wanted.pairs {
@@ -83,7 +88,8 @@ impl FunctionDesign {
         rms.is_finite().then_some(rms)
     }
 
-    /// The same on the side that misses less, and how much that is; misses count where it does not close, too.
+    /// Returns the design on the side with the smaller sum of squares, and this sum. Pairs at which
+    /// the linkage does not close count too.
     pub(super) fn on_the_better_side(self, wanted: &WantedFunction) -> (FunctionDesign, f64) {
         let sum = |side: f64| {
             let there = FunctionDesign { side, ..self };
@@ -93,8 +99,8 @@ impl FunctionDesign {
         if other.1 < one.1 { other } else { one }
     }
 
-    /// The minimum into which it falls, or where it is after so many steps; `None` where that is no linkage, or does not
-    /// close at every pair.
+    /// Returns the minimum reached by descent, or the design after `steps` steps. Returns `None` if
+    /// the result is not a sound linkage, or does not close at every pair.
     pub(super) fn refined(self, wanted: &WantedFunction, steps: usize) -> Option<FunctionDesign> {
         let (mut here, mut slopes) = (self, self.slopes(wanted));
         let (mut damping, mut still) = (DAMPING, 0);
@@ -112,14 +118,14 @@ impl FunctionDesign {
         (here.linkage.is_sound() && here.rms(wanted).is_some()).then_some(here)
     }
 
-    /// Whether all numbers are the same but for a part.
+    /// Returns `true` if all numbers agree up to a relative tolerance.
     pub(super) fn is_near(&self, other: &FunctionDesign, part: f64) -> bool {
         let (a, b) = (self.numbers(), other.numbers());
         let mut pairs = a.iter().zip(b.iter());
         self.side == other.side && pairs.all(|(a, b)| (a - b).abs() <= part * (1.0 + a.abs()))
     }
 
-    /// One step downhill; `None` where no damping makes one.
+    /// Takes one step downhill; `None` if no damping gives one.
     fn step(
         &self,
         wanted: &WantedFunction,
@@ -170,7 +176,7 @@ impl FunctionDesign {
 }
 
 impl MissSlopes {
-    /// One more row of J, with its residual, turned into the triangle by Givens' rotations.
+    /// Adds a row of J, with its residual, to the triangle by Givens rotations.
     fn add(&mut self, miss: f64, by: DesignNumbers) {
         self.sum += miss * miss;
         self.turn_in(miss, by);
@@ -194,7 +200,7 @@ impl MissSlopes {
         }
     }
 
-    /// What is to be taken off the numbers, damped in each by the size of its own derivatives.
+    /// Returns the decrement of the numbers, each damped by the size of its own derivatives.
     fn step(&self, damping: f64) -> DesignNumbers {
         let mut damped = self.clone();
         for i in 0..NUMBERS {
@@ -216,7 +222,7 @@ impl MissSlopes {
     }
 }
 
-/// In what a miss is counted: in y where the output's scale is free.
+/// Returns the unit of the misses: the span of y if the output's scale is free, or else 1.
 fn unit(wanted: &WantedFunction, scale: f64) -> f64 {
     if wanted.given[3].is_none() {
         scale * wanted.span(1)
@@ -245,7 +251,7 @@ mod tests {
 
     /// R'Q'r = J'r is half the slope of the sum of squares.
     #[test]
-    fn slopes_are_those_of_the_sum() {
+    fn slopes_match_difference_quotients() {
         let mut chance = SeededChance::new(11);
         for round in 0..200 {
             let output = if round % 2 == 0 {

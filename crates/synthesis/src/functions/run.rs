@@ -1,4 +1,4 @@
-//! What a proposed linkage makes of every x: its structural error.
+//! Computes the structural error of a proposed linkage at every x.
 
 use super::fit::{fitted, in_order};
 use super::linkage::FunctionLinkage;
@@ -8,10 +8,10 @@ use kinematics::Vec2;
 use kinematics::numeric::lowest;
 use std::f64::consts::{PI, TAU};
 
-/// Looks over a range before the greatest error is closed in on.
+/// Number of samples over a range before the maximum error is refined.
 const LOOKS: usize = 361;
 
-/// A proposal of a function, over its whole range: on the side on which it is at the first pair.
+/// A proposal for a function, over its whole range, on the side of its first pair.
 #[derive(Clone, Debug)]
 pub struct FunctionRun {
     linkage: FunctionLinkage,
@@ -20,18 +20,21 @@ pub struct FunctionRun {
     size: f64,
 }
 
-/// Where the error is greatest.
+/// The point of maximum error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GreatestError {
-    /// The x.
+    /// The x of the point.
     pub x: f64,
-    /// The error there, with its sign, in degrees or in lengths of the task.
+    /// The error at x, signed, in degrees or in lengths of the task.
     pub error: f64,
 }
 
 impl FunctionRun {
-    /// Of a proposal for a task. Datums and scales that were free are those with which the pins fit best: the crank's
-    /// exactly, where neighbouring pairs are less than half a turn apart. `None` where the proposal is none of a function.
+    /// Creates the run of a proposal for a task.
+    ///
+    /// Free datums and scales are fitted to the pins. The crank's are exact if neighbouring pairs
+    /// are less than half a turn apart. Returns `None` if the proposal is not for a function of
+    /// this kind.
     #[must_use]
     pub fn of(task: &FunctionTask, proposal: &Proposal) -> Option<FunctionRun> {
         let wanted = WantedFunction::of(task)?;
@@ -92,20 +95,21 @@ impl FunctionRun {
         })
     }
 
-    /// The crank's angle at x, in degrees.
+    /// Returns the crank's angle at x, in degrees.
     #[must_use]
     pub fn crank(&self, x: f64) -> f64 {
         (self.law.crank[0] + self.law.crank[1] * x).to_degrees()
     }
 
-    /// The output at x, in radians or in parts of the size.
+    /// Returns the output at x, in radians or in parts of the size; `None` if the linkage does not
+    /// close.
     fn made(&self, x: f64) -> Option<f64> {
         let angle = self.law.crank[0] + self.law.crank[1] * x;
         self.linkage.output(angle, self.side)
     }
 
-    /// The structural error: the output where the crank is at x, less what it were to be for this y, in degrees or in
-    /// lengths of the task. `None` where the linkage does not close.
+    /// Returns the structural error: the output at x less the wanted output for y, in degrees or in
+    /// lengths of the task. Returns `None` if the linkage does not close.
     #[must_use]
     pub fn error(&self, x: f64, y: f64) -> Option<f64> {
         let [datum, scale] = self.law.output;
@@ -116,7 +120,8 @@ impl FunctionRun {
         })
     }
 
-    /// How far the output is to go over pairs, from its least to its greatest, as errors are told.
+    /// Returns the range of the wanted output over pairs, maximum less minimum, in the unit of the
+    /// errors.
     #[must_use]
     pub fn swing<'p>(&self, pairs: impl IntoIterator<Item = &'p [f64; 2]>) -> f64 {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
@@ -129,8 +134,8 @@ impl FunctionRun {
         }
     }
 
-    /// Where the error against a function is greatest between two ends; `None` where the linkage does not close all the
-    /// way, or the function has no value.
+    /// Returns the point of maximum absolute error against a function between two ends. Returns
+    /// `None` if the linkage does not close everywhere, or if the function has no value.
     #[must_use]
     pub fn greatest_error(
         &self,

@@ -1,8 +1,10 @@
-//! Where algebra does not reach: least squares from many starts, which proves nothing complete.
+//! Searches by least squares from many starts where algebra does not apply; such a search proves no
+//! completeness.
 //!
-//! A start is a linkage through a few of the pairs, or nearly through all, by algebra. Datums are found with it, and scales
-//! are tried, by how far crank and output swing over the pairs; where scales are given and pairs are many, datums are tried
-//! as well. Starts are the same ones at every call.
+//! A start is a linkage through some of the pairs, or nearly through all of them, found by algebra.
+//! Algebra also finds datums. Scales are tried by how far crank and output swing over the pairs. If
+//! scales are given and there are many pairs, datums are tried as well. The starts are the same at
+//! every call.
 
 use super::refine::FunctionDesign;
 use super::stages::Stages;
@@ -11,41 +13,46 @@ use super::{ExactDesigns, USELESS, exact};
 use crate::Output;
 use std::f64::consts::{PI, TAU};
 
-/// From where to where a crank may swing where its scale is free, an output, in degrees, and a slide, in cranks.
+/// Ranges of the swing tried for a free scale: for a crank and an output in degrees, for a slide in
+/// crank lengths.
 const CRANK_SWINGS: [f64; 2] = [30.0, 330.0];
 const OUTPUT_SWINGS: [f64; 2] = [4.0, 330.0];
 const STROKES: [f64; 2] = [0.4, 2.0];
-/// Where a slide's travel may begin, in cranks.
+/// Range of a slide's free output datum, in crank lengths.
 const PLACES: [f64; 2] = [1.5, 3.5];
-/// So many swings of each sign are tried where one scale is to be found by trial, and where two are.
+/// Number of swings of each sign, if one scale must be found by trial, or two.
 const SWINGS: [usize; 2] = [20, 9];
-/// Datums of each side that are tried of pairs that no linkage meets, where scales are given: there algebra, which weighs
-/// a pair by more than its miss, leads elsewhere.
+/// Number of values tried for each free datum if scales are given and no linkage meets all pairs.
+/// Algebra weights a pair by more than its miss there, and may start far from the minimum.
 const DATUMS: usize = 12;
-/// Of starts with the same scales so many are followed at the most.
+/// Maximum number of starts followed per combination of tried values.
 const OF_A_CELL: usize = 4;
-/// Starts that are followed at the most.
+/// Maximum number of starts followed.
 const STARTS: usize = 480;
-/// They go so many steps, and so many of the best go on: of a smooth function the numbers are nearly dependent, and the way
-/// to a minimum is long and narrow. Each time so much of the whole is done.
+/// Stages of the descent: number of steps, number of the best designs that continue, and completed
+/// part of the work. The numbers of a smooth function are nearly dependent, so that the path to a
+/// minimum is long and narrow.
 const WAYS: [(usize, usize, f64); 3] = [(100, 160, 0.4), (300, 48, 0.6), (3000, 48, 1.0)];
-/// What is done of it before they go.
+/// Part of the work completed before the descent.
 const BEGUN: f64 = 0.2;
-/// Of more pairs than this only so many lead to a minimum, and all of them by so many steps to its bottom.
+/// Maximum number of pairs used to reach a minimum. If there are more, a last descent of
+/// `LAST_STEPS` steps uses all of them.
 const LEADING: usize = 40;
 const LAST_STEPS: usize = 60;
-/// Every pair is met where the rest is this part of the output's swing.
+/// A design meets every pair if its root mean square is below this part of the output's swing.
 const ROUNDED: f64 = 1e-10;
-/// No length is longer than the shortest by more than this factor: it would be found for any function, and no use.
+/// Maximum ratio of the longest length to the shortest. More slender linkages would be found for
+/// any function, and are useless.
 const SLENDER: f64 = 50.0;
-/// Subsets of the pairs through which starts go.
+/// Number of subsets of the pairs used for starts.
 const SUBSETS: usize = 8;
-/// Minima are one where their numbers differ by less than this part.
+/// Minima count as one if their numbers differ by less than this relative tolerance.
 const SAME: f64 = 1e-3;
-/// And starts, by less than this part.
+/// Starts count as one if their numbers differ by less than this relative tolerance.
 const NEAR: f64 = 1e-3;
 
-/// In which order numbers are fixed where they are free: scales first, since algebra does not find them.
+/// Returns the order in which free numbers are fixed: scales first, since algebra does not find
+/// them.
 pub(super) fn order(output: Output) -> [usize; 4] {
     match output {
         Output::Angle => [1, 3, 0, 2],
@@ -53,10 +60,10 @@ pub(super) fn order(output: Output) -> [usize; 4] {
     }
 }
 
-/// Values at which a number of the law may be fixed, about so many.
+/// Returns about `count` values at which to fix a number of the law.
 pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec<f64> {
     let span = wanted.span(index / 2);
-    // Each is more than the one before it by the same part.
+    // A geometric sequence.
     let growing = |[low, high]: [f64; 2], count: usize| {
         let parts = count.saturating_sub(1).max(1) as f64;
         (0..count).map(move |k| low * (high / low).powf(k as f64 / parts))
@@ -72,13 +79,13 @@ pub(super) fn values(wanted: &WantedFunction, index: usize, count: usize) -> Vec
         (3, Output::Angle) => both(OUTPUT_SWINGS, turn),
         (3, Output::Slide) => both(STROKES, 1.0 / span),
         (2, Output::Slide) => both(PLACES, 1.0),
-        // Half a turn: what is beyond is the same link, opposite to its angle.
+        // Half a turn: angles beyond it are the same link, opposite to its angle.
         (_, Output::Angle) => (0..count).map(|k| PI * k as f64 / count as f64).collect(),
         (_, Output::Slide) => (0..count).map(|k| TAU * k as f64 / count as f64).collect(),
     }
 }
 
-/// The minima that were found, the least first.
+/// Returns the minima in ascending order of their misses.
 pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<FunctionDesign> {
     let leading = wanted.thinned(LEADING);
     let cells = cells(&leading);
@@ -87,7 +94,7 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
     });
     let mut starts: Vec<(f64, FunctionDesign)> = starts.into_iter().flatten().collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    // A start alone is no answer.
+    // A start without descent is not a solution.
     starts.truncate(if stages.is_on() { STARTS } else { 0 });
     let mut found: Vec<FunctionDesign> = starts.into_iter().map(|(_, start)| start).collect();
     let mut begun = BEGUN;
@@ -102,7 +109,7 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
         };
         let mut followed = stages.each([begun, done], found.len(), follow);
         if !stages.is_on() && number > 1 {
-            // What was not followed any more is what it was.
+            // After a stop, designs without further descent stay as they are.
             followed.extend(found.into_iter().map(Some));
         }
         found = different(if is_last { wanted } else { &leading }, followed);
@@ -112,8 +119,8 @@ pub(super) fn minima(wanted: &WantedFunction, stages: &mut Stages<'_>) -> Vec<Fu
     found
 }
 
-/// Different designs that are of use, those that miss least first, and of those that meet every pair the ones whose lengths
-/// are most alike.
+/// Returns the different useful designs, those with the smallest misses first. Designs that meet
+/// every pair are sorted by the ratio of their lengths.
 fn different(
     wanted: &WantedFunction,
     followed: Vec<Option<FunctionDesign>>,
@@ -136,14 +143,15 @@ fn different(
     found
 }
 
-/// The swing of the output as misses are counted.
+/// Returns the output's swing in the unit of the misses.
 fn output_span(wanted: &WantedFunction) -> f64 {
     wanted.given[3].map_or(1.0, |scale| scale.abs() * wanted.span(1))
 }
 
-/// The task with values for the numbers that algebra does not find.
+/// Returns copies of the task with values for the numbers that algebra does not find.
 fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
-    // Of a slide algebra does not find both the crank's datum and a scale without the output's datum.
+    // For a slide, algebra cannot find both the crank's datum and a scale without the output's
+    // datum.
     let is_hard = wanted.given[3].is_none() && wanted.given[2].is_some();
     let is_tried = |index: usize| match wanted.output {
         Output::Angle => index == 1 || index == 3,
@@ -160,7 +168,7 @@ fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
         all = with_each(&all, *index, &values(wanted, *index, count));
     }
     if tried.is_empty() && wanted.pairs.len() > wanted.unknowns() {
-        // Of a slide the output's datum is linear whatever the crank's is.
+        // For a slide, the output's datum is linear for any datum of the crank.
         let datums = free.iter().filter(|&&index| match wanted.output {
             Output::Angle => index == 0 || index == 2,
             Output::Slide => index == 0,
@@ -174,7 +182,7 @@ fn cells(wanted: &WantedFunction) -> Vec<WantedFunction> {
     all
 }
 
-/// Each of these tasks with each of the values for a number.
+/// Combines each of these tasks with each of the values for a number.
 fn with_each(all: &[WantedFunction], index: usize, values: &[f64]) -> Vec<WantedFunction> {
     let fixed = all
         .iter()
@@ -182,7 +190,7 @@ fn with_each(all: &[WantedFunction], index: usize, values: &[f64]) -> Vec<Wanted
     fixed.collect()
 }
 
-/// The starts of a cell that miss least, with the sums of their squares.
+/// Returns the starts of a cell with the smallest misses, each with its sum of squares.
 fn best_starts(wanted: &WantedFunction, cell: &WantedFunction) -> Vec<(f64, FunctionDesign)> {
     let mut starts: Vec<(f64, FunctionDesign)> = starts_of(cell)
         .into_iter()
@@ -192,14 +200,14 @@ fn best_starts(wanted: &WantedFunction, cell: &WantedFunction) -> Vec<(f64, Func
         .collect();
     starts.sort_by(|a, b| a.0.total_cmp(&b.0));
     starts.dedup_by(|a, b| a.1.is_near(&b.1, NEAR));
-    // Where there is but one cell, all are followed.
+    // A single cell keeps all its starts.
     if wanted.given != cell.given {
         starts.truncate(OF_A_CELL);
     }
     starts
 }
 
-/// Through subsets of the pairs, and nearly through all of them.
+/// Returns the designs through subsets of the pairs, and nearly through all of them.
 fn starts_of(wanted: &WantedFunction) -> Vec<FunctionDesign> {
     let (needed, count) = (wanted.unknowns(), wanted.pairs.len());
     let designs = |wanted: &WantedFunction| {
@@ -214,7 +222,8 @@ fn starts_of(wanted: &WantedFunction) -> Vec<FunctionDesign> {
     all
 }
 
-/// So many of `count` indices: spread as Chebyshev's zeros over windows of different widths.
+/// Returns subsets of `needed` of `count` indices, spaced like Chebyshev's zeros over windows of
+/// different widths.
 fn subsets(needed: usize, count: usize) -> Vec<Vec<usize>> {
     let mut all: Vec<Vec<usize>> = Vec::new();
     for k in 0..SUBSETS {
@@ -226,7 +235,7 @@ fn subsets(needed: usize, count: usize) -> Vec<Vec<usize>> {
             ((low + width * zero) * (count - 1) as f64).round() as usize
         };
         let mut subset: Vec<usize> = (0..needed).map(place).collect();
-        // No index twice: upwards, then from the end downwards.
+        // Makes the indices distinct: upwards, then from the end downwards.
         for i in 1..needed {
             subset[i] = subset[i].max(subset[i - 1] + 1);
         }
@@ -245,7 +254,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_subset_has_no_pair_twice() {
+    fn subsets_have_distinct_ascending_indices() {
         for needed in 2..6 {
             for count in needed + 1..30 {
                 for subset in subsets(needed, count) {

@@ -1,28 +1,32 @@
-//! Angle to slide: a slider-crank with an offset, crank 1 long at the angle f, coupler b, the slide at (t, e).
+//! Solves angle-to-slide functions: an offset slider-crank, crank 1 long at the angle f, coupler b,
+//! the slide at (t, e).
 //!
 //! ```text
 //! t^2 - 2 t cos f - 2 e sin f + 1 + e^2 - b^2 = 0
 //! ```
 //!
-//! With t = T + q, where q is the wanted travel and T the free datum, it is linear in T, e and the rest,
+//! With t = T + q, where q is the wanted travel and T the free datum, it is linear in T, e and the
+//! rest,
 //!
 //! ```text
 //! q^2 - 2 q cos f + 2 T (q - cos f) - 2 e sin f + m = 0,   m = 1 + e^2 + T^2 - b^2
 //! ```
 //!
-//! so that three pairs have one solution. Where the crank's datum is free as well, f = p + a, four pairs have one where
-//! the determinant of these rows, a trigonometric polynomial of a of the third degree, is 0: at most six.
+//! so that three pairs have one solution. If the crank's datum is free as well, f = p + a. Four
+//! pairs then have a solution where the determinant of these rows, a trigonometric polynomial in a
+//! of degree 3, is 0: at most six.
 //!
-//! Where the output's scale is free lengths are counted in y: the crank is z, complex, with the crank's datum as its
-//! argument, and V = (T - i e) z,
+//! If the output's scale is free, lengths are measured in units of y. The crank is z, complex, with
+//! the crank's datum as its argument, and V = (T - i e) z,
 //!
 //! ```text
 //! y^2 + 2 T y - 2 y Re(z e^ip) - 2 Re(V e^ip) + m = 0,   m = |z|^2 + e^2 + T^2 - b^2
 //! ```
 //!
-//! linear in T, z, V and m, with the condition Re(V z*) = T |z|^2 of the third degree: five pairs have three solutions
-//! at most, four with a given datum of the crank two. Where T is given as part of the crank, T = d |z|, three pairs with
-//! a given datum of the crank are linear in |z|, |z|^2, |z| e and m.
+//! linear in T, z, V and m, with the cubic condition Re(V z*) = T |z|^2. Five pairs have at most
+//! three solutions; four pairs with a given datum of the crank have two. If T is given relative to
+//! the crank, T = d |z|, three pairs with a given datum of the crank are linear in |z|, |z|^2, |z|
+//! e and m.
 
 use super::lines::{SAMPLES, solved};
 use super::linkage::FunctionLinkage;
@@ -33,11 +37,11 @@ use super::{ExactDesigns, law_angles};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 
-/// Rows are singular where the smallest singular value is this part of the largest.
+/// Rows are singular if the smallest singular value is below this part of the largest.
 const SINGULAR: f64 = 1e-12;
 
-/// As [`super::angle::exact`]. `None` where it is not known how: the crank's scale free, or its datum and the output's
-/// scale without the output's datum.
+/// Solves like [`super::angle::exact`]. Returns `None` in the unsolved cases: a free scale of the
+/// crank, or a free datum of the crank with a free output scale and a given output datum.
 pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     match wanted.given {
         [_, None, ..] => None,
@@ -49,7 +53,8 @@ pub(super) fn exact(wanted: &WantedFunction) -> Option<ExactDesigns> {
     }
 }
 
-/// The rows at a turn of the crank: of T where it is free, e, m, and what is known.
+/// Returns the rows at a rotation of the crank: the factors of T if it is free, of e and m, and the
+/// constant. Returns `None` if a scale is free.
 fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
     let (angles, ..) = law_angles(wanted)?;
     let is_free = wanted.given[2].is_none();
@@ -65,7 +70,7 @@ fn rows_at(wanted: &WantedFunction, turn: f64) -> Option<Vec<Vec<f64>>> {
     Some(angles.iter().map(row).collect())
 }
 
-/// The solution, or of many pairs the one of least squares, where the crank's datum is this much more.
+/// Solves with the crank's datum increased by `turn`, in the least-squares sense for many pairs.
 fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
     let found = || {
         let rows = rows_at(wanted, turn)?;
@@ -75,7 +80,7 @@ fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
         let decomposed = nalgebra::SVD::try_new(matrix, true, true, f64::EPSILON, 200)?;
         let values = &decomposed.singular_values;
         let is_regular = values.len() == width && values.min() > SINGULAR * values.max();
-        // Of solutions without number the shortest.
+        // The minimum-norm solution if the rows are singular.
         let solution = decomposed.solve(&known, SINGULAR * values.max()).ok()?;
         let (t, e, m) = match *solution.as_slice() {
             [t, e, m] => (t, e, m),
@@ -102,7 +107,8 @@ fn turned_by(wanted: &WantedFunction, turn: f64) -> ExactDesigns {
     }
 }
 
-/// The crank's datum is free: where the rows with what is known have no rank of their own.
+/// Solves with a free datum of the crank, at the angles where the rows including the constant are
+/// singular.
 fn turned(wanted: &WantedFunction) -> ExactDesigns {
     let width = rows_at(wanted, 0.0).map_or(0, |rows| rows.first().map_or(0, Vec::len));
     let determinant = |turn: f64| {
@@ -110,7 +116,7 @@ fn turned(wanted: &WantedFunction) -> ExactDesigns {
         Some(DMatrix::from_fn(width, width, |i, j| rows[i][j]).determinant())
     };
     let (turns, is_complete) = if wanted.pairs.len() == width {
-        // Each column but the one of m is of the first degree in cos and sin.
+        // Each column except that of m has degree 1 in cos and sin.
         match zeros(width - 1, |turn| determinant(turn).unwrap_or(f64::NAN)) {
             Some(turns) => (turns, true),
             None => (grid(), false),
@@ -135,7 +141,7 @@ fn grid() -> Vec<f64> {
     (0..SAMPLES).map(|k| k as f64 * step).collect()
 }
 
-/// Both the output's datum and its scale are free.
+/// Solves with both the output's datum and its scale free.
 fn in_y(wanted: &WantedFunction) -> ExactDesigns {
     let is_free = wanted.given[0].is_none();
     let (datum, scale) = (
@@ -152,7 +158,7 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
         row
     };
     let rows: Vec<Vec<f64>> = wanted.pairs.iter().map(row).collect();
-    // h, T, m, z, V.
+    // The unknowns h, T, m, z, V.
     let parts = |v: &DVector<f64>| {
         let (imaginary, at) = if is_free { (v[4], 5) } else { (0.0, 4) };
         let z = Complex::new(v[3], imaginary);
@@ -170,7 +176,7 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
         let size = if is_free { z.norm() } else { z.re };
         let coupler = (z.norm_sqr() + e * e + t * t - m).sqrt();
         let crank = if is_free { z.arg() } else { datum };
-        // The crank is 1: a negative one turns what is counted in it.
+        // The crank has length 1: a negative z reverses the lengths measured in it.
         let law = FunctionLaw {
             crank: [crank, scale],
             output: [t / size, 1.0 / size],
@@ -183,13 +189,13 @@ fn in_y(wanted: &WantedFunction) -> ExactDesigns {
     }
 }
 
-/// The output's scale is free, and its datum so many cranks.
+/// Solves with a free output scale and the output's datum given in crank lengths.
 fn from_datum(wanted: &WantedFunction, datum: f64) -> ExactDesigns {
     let (angle, turn) = (
         wanted.given[0].unwrap_or(0.0),
         wanted.given[1].unwrap_or(1.0),
     );
-    // h, |z|, |z|^2, |z| e, m.
+    // The unknowns h, |z|, |z|^2, |z| e, m.
     let row = |[x, y]: &[f64; 2]| {
         let (sin, cos) = (angle + turn * x).sin_cos();
         let linear = 2.0 * y * (datum - cos);

@@ -1,10 +1,12 @@
-//! Where a function is asked for the pairs that a linkage meets.
+//! Chooses the points of a function that a linkage should meet.
 
 use std::f64::consts::PI;
 
-/// Pairs `[x, f(x)]` of a function at the zeros of Chebyshev's polynomial over a range, from its first end to its other:
-/// where the error between is to be small everywhere, they are a good first choice (Freudenstein 1955). `None` where
-/// there is no value.
+/// Returns pairs `[x, f(x)]` of a function at the zeros of Chebyshev's polynomial over a range,
+/// from its first end to its second.
+///
+/// They are a good first choice for a small error over the whole range (Freudenstein 1955). Returns
+/// `None` if the function has no finite value at one of them.
 #[must_use]
 pub fn chebyshev_pairs(
     f: impl Fn(f64) -> Option<f64>,
@@ -25,7 +27,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_between_one_and_two() {
+    fn three_chebyshev_pairs_between_one_and_two() {
         let pairs = chebyshev_pairs(|x| Some(x * x), [1.0, 2.0], 3).unwrap();
         let known = [1.0 + 0.066_987_298, 1.5, 1.933_012_702];
         for ([x, y], known) in pairs.into_iter().zip(known) {

@@ -1,8 +1,8 @@
-//! One search after another on several cores, with one account of how far all of them are.
+//! Runs successive searches on several cores and reports their common progress.
 
 use kinematics::parallel;
 
-/// Threads, and who is told of the part that is done.
+/// The number of threads and the receiver of the completed part.
 pub(super) struct Stages<'w> {
     threads: usize,
     watch: &'w mut dyn FnMut(f64) -> bool,
@@ -18,13 +18,13 @@ impl<'w> Stages<'w> {
         }
     }
 
-    /// Whether nobody stopped it.
+    /// Returns `true` unless the search was stopped.
     pub(super) fn is_on(&self) -> bool {
         self.is_on
     }
 
-    /// Pieces of work that lead from one part of the whole to another, and what came of them in their order; once stopped
-    /// none begins.
+    /// Runs `count` pieces of work, which advance the progress from one part to another, and
+    /// returns their results in order. After a stop, none of them starts.
     pub(super) fn each<T: Send>(
         &mut self,
         [from, to]: [f64; 2],
@@ -36,7 +36,7 @@ impl<'w> Stages<'w> {
         }
         let work = |(): &mut (), i: usize| work(i);
         parallel::each(count, self.threads, || (), work, &mut |part| {
-            // What runs to its end after a stop does not take it back.
+            // A piece that ends after a stop must not cancel the stop.
             self.is_on &= (self.watch)(from + (to - from) * part);
             self.is_on
         })
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_stop_holds_for_all_that_follows() {
+    fn stop_prevents_all_later_stages() {
         let mut parts = Vec::new();
         let mut watch = |part| {
             parts.push(part);

@@ -1,16 +1,18 @@
-//! The zeros of a trigonometric polynomial, all of them.
+//! Finds all zeros of a trigonometric polynomial.
 
 use kinematics::numeric::polynomial_roots;
 use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
 
-/// Newton's steps after the roots of the polynomial: two are enough.
+/// Maximum number of Newton steps after the roots of the polynomial; two suffice.
 const POLISH: usize = 4;
 
-/// Where a trigonometric polynomial of a degree is 0, in radians; `None` where it is so everywhere, or no number.
+/// Returns the zeros of a trigonometric polynomial of a degree, in radians. Returns `None` if it is
+/// zero everywhere or not finite.
 ///
-/// Its values at 2 n + 1 angles are its Fourier coefficients; with t = tan((a - a0) / 2) it is a polynomial in t of the
-/// degree 2 n, and a0 is opposite to where it is farthest from 0: no root is at t = infinity.
+/// Its values at 2 n + 1 angles give its Fourier coefficients. With t = tan((a - a0) / 2) it is a
+/// polynomial in t of degree 2 n. The angle a0 is opposite to the maximum of its absolute value, so
+/// that no root lies at t = infinity.
 pub(super) fn zeros(degree: usize, f: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     let count = 2 * degree + 1;
     let step = TAU / (2 * count) as f64;
@@ -54,7 +56,7 @@ pub(super) fn zeros(degree: usize, f: impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     )
 }
 
-/// Secant steps on the function itself, as long as they come nearer.
+/// Improves a zero by Newton steps with a difference quotient, while the absolute value decreases.
 fn polished(mut at: f64, f: &impl Fn(f64) -> f64) -> f64 {
     let mut value = f(at);
     for _ in 0..POLISH {

@@ -1,10 +1,11 @@
-//! A task of this room in its own units: radians, and lengths as parts of the task's size.
+//! A function's task in internal units: radians, and lengths relative to the task's size.
 
 use crate::{FunctionTask, Given, Output};
 use kinematics::angle::radians;
 use std::f64::consts::{PI, TAU};
 
-/// The crank at `crank[0] + crank[1] x`, the output at `output[0] + output[1] y`: in radians, of a slide in cranks.
+/// The law of a function: the crank at `crank[0] + crank[1] x` and the output at `output[0] +
+/// output[1] y`, in radians, or in crank lengths for a slide.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct FunctionLaw {
     pub(super) crank: [f64; 2],
@@ -12,8 +13,8 @@ pub(super) struct FunctionLaw {
 }
 
 impl FunctionLaw {
-    /// Whether pairs tell where the crank turned: within a turn, and from each to the next by less than half of one. A
-    /// scale that is given is as it is.
+    /// Returns `true` if the pairs determine the crank's motion: over at most one turn, with less
+    /// than half a turn between neighbours. A given scale always does.
     pub(super) fn is_told_by(&self, wanted: &WantedFunction) -> bool {
         let mut xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
         xs.sort_by(f64::total_cmp);
@@ -23,17 +24,18 @@ impl FunctionLaw {
     }
 }
 
-/// What is wanted: pairs, and which of the four numbers of the [`FunctionLaw`] are given.
+/// The wanted function: its pairs, and the given ones of the four numbers of the [`FunctionLaw`].
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct WantedFunction {
     pub(super) output: Output,
     pub(super) pairs: Vec<[f64; 2]>,
-    /// Crank datum, crank scale, output datum, output scale.
+    /// Crank datum, crank scale, output datum, output scale; `None` if free.
     pub(super) given: [Option<f64>; 4],
 }
 
 impl WantedFunction {
-    /// `None` where a number of the task is none, where the size is not positive, or a scale is 0.
+    /// Converts a task. Returns `None` if a number is not finite, if the size is not positive, or
+    /// if a scale is 0.
     pub(super) fn of(task: &FunctionTask) -> Option<WantedFunction> {
         let of = |given: Given, unit: f64| match given {
             Given::Value(value) => Some(value * unit),
@@ -62,7 +64,7 @@ impl WantedFunction {
         })
     }
 
-    /// How many numbers are free: as many pairs can be met.
+    /// Returns the number of unknowns, which is the number of pairs that can be met.
     pub(super) fn unknowns(&self) -> usize {
         let lengths = match self.output {
             Output::Angle => 3,
@@ -71,14 +73,14 @@ impl WantedFunction {
         lengths + self.given.iter().filter(|given| given.is_none()).count()
     }
 
-    /// The same with one of the four numbers given.
+    /// Returns a copy with one of the four numbers given.
     pub(super) fn with(&self, index: usize, value: f64) -> WantedFunction {
         let mut with = self.clone();
         with.given[index] = Some(value);
         with
     }
 
-    /// The same of fewer pairs.
+    /// Returns a copy with the pairs at these indices.
     pub(super) fn at(&self, indices: &[usize]) -> WantedFunction {
         WantedFunction {
             pairs: indices.iter().map(|&i| self.pairs[i]).collect(),
@@ -86,7 +88,7 @@ impl WantedFunction {
         }
     }
 
-    /// The same of at most so many pairs, spread evenly over their indices.
+    /// Returns a copy with at most `most` pairs, spread evenly over their indices.
     pub(super) fn thinned(&self, most: usize) -> WantedFunction {
         let last = self.pairs.len().saturating_sub(1);
         if last < most {
@@ -97,7 +99,7 @@ impl WantedFunction {
         self.at(&indices)
     }
 
-    /// How far x (0) or y (1) ranges over the pairs; 1 where it does not.
+    /// Returns the range of x (0) or y (1) over the pairs, or 1 if all are equal.
     pub(super) fn span(&self, column: usize) -> f64 {
         let values = self.pairs.iter().map(|pair| pair[column]);
         let high = values.clone().fold(f64::NEG_INFINITY, f64::max);
@@ -106,7 +108,7 @@ impl WantedFunction {
     }
 }
 
-/// An angle in radians, from -pi to pi.
+/// Wraps an angle in radians to the range from -pi to pi.
 pub(super) fn wrapped(angle: f64) -> f64 {
     angle - TAU * (angle / TAU).round()
 }

@@ -1,16 +1,19 @@
-//! Levenberg's and Marquardt's descent over all unknowns at once, with exact derivatives.
+//! Minimises over all unknowns at once by Levenberg's and Marquardt's method with exact
+//! derivatives.
 //!
-//! Where times are free, the crank's angle at every point is an unknown of its own, and the distance of a point is that
-//! from the curve. Each such angle stands in one point's rows alone and is eliminated there: with J the rows of a point for
-//! the common unknowns, k for its angle and r its miss,
+//! If times are free, the crank's angle at every point is an additional unknown, and a point's miss
+//! is its distance from the curve. Each such angle occurs only in the rows of its point and is
+//! eliminated there. Let J be the rows of a point for the common unknowns, k those for its angle
+//! and r its miss:
 //!
 //! ```text
 //! sum (J'J - (J'k)(k'J) / (k'k (1 + lambda))) d = sum (J'r - (J'k) k'r / (k'k (1 + lambda)))
 //! angle: (k'r - k'J d) / (k'k (1 + lambda))
 //! ```
 //!
-//! so that a step costs as much for each point as there are pairs of common unknowns: at most ten. The last steps are
-//! made on the rows themselves, by their singular values: squares would cost half of the digits.
+//! A step then costs, for each point, as much as there are pairs of common unknowns, of which there
+//! are at most ten. The last steps use the rows themselves, by their singular values: normal
+//! equations would lose half of the digits.
 
 use super::evolution::{Quarry, Raw};
 use super::linear::{LinkagePlace, Projection};
@@ -19,33 +22,35 @@ use super::wanted::{HeldPivots, WantedPath};
 use kinematics::{Vec2, angle};
 use nalgebra::{DMatrix, DVector};
 
-/// Common unknowns at the most: A, the scale and the arm by two each, three lengths and the first angle.
+/// Maximum number of common unknowns: two each for A, the scale and the arm, three lengths, and the
+/// first angle.
 const MOST: usize = 10;
 const RADIAN: f64 = 180.0 / std::f64::consts::PI;
-/// A miss of the path's size at which nothing is left to be done, squared.
+/// Mean square of the misses, relative to the path's size, at which the descent ends.
 const EXACT: f64 = 1e-31;
-/// A descent whose damping has grown as far has come to its end.
+/// Damping above which the descent has converged.
 const STUCK: f64 = 1e10;
-/// A step that changes the mean square by less than this part is no step.
+/// A step that reduces the mean square by less than this part makes no progress.
 const LEVEL: f64 = 1e-9;
-/// Singular values below this part of the largest are those of unknowns that the path does not tell.
+/// Singular values below this part of the largest belong to unknowns that the path does not
+/// determine.
 const UNTOLD: f64 = 1e-11;
 
 type MatrixOfUnknowns = [[f64; MOST]; MOST];
 
-/// A linkage in the frame of the path, with its crank's angle at every point.
+/// A linkage in the path's frame, with its crank's angle at every point.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
     pub(super) quarry: Quarry,
     pub(super) shape: LinkageShape,
     pub(super) place: LinkagePlace,
-    /// In degrees.
+    /// The crank's angle at every point, in degrees.
     pub(super) angles: Vec<f64>,
     /// The weighted mean square of the misses, in squares of the path's size.
     pub(super) square: f64,
 }
 
-/// The sums of the rows of all points.
+/// Sums over the rows of all points.
 #[derive(Clone, Debug)]
 struct NormalSums {
     /// J'J and J'r.
@@ -54,12 +59,12 @@ struct NormalSums {
     /// (J'k)(k'J) / k'k and (J'k) k'r / k'k.
     own: MatrixOfUnknowns,
     own_miss: [f64; MOST],
-    /// k'J, k'r and k'k of every point; empty where times are given.
+    /// k'J, k'r and k'k of every point; empty if times are given.
     points: Vec<([f64; MOST], f64, f64)>,
     square: f64,
 }
 
-/// Which unknowns a task leaves, and where each stands.
+/// The unknowns of a task and their layout.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
     held: HeldPivots,
@@ -89,7 +94,8 @@ impl Layout {
     }
 }
 
-/// A point's miss and its rows.
+/// A point's miss and its rows: derivatives of the tracer with respect to the common unknowns and
+/// to the point's own angle.
 struct PointRows {
     miss: Vec2,
     common: [Vec2; MOST],
@@ -97,7 +103,7 @@ struct PointRows {
 }
 
 impl Fit {
-    /// The start of a descent.
+    /// Returns the start of a descent.
     pub(super) fn of(wanted: &WantedPath, quarry: Quarry, raw: &Raw) -> Fit {
         let turned = |j: usize| wanted.turns.as_ref().map(|turns| turns[j]);
         let angles: Vec<f64> = (0..wanted.points.len())
@@ -113,7 +119,8 @@ impl Fit {
         }
     }
 
-    /// Where B, C and the tracer are at an angle of the crank, in the frame of the path.
+    /// Returns the positions of B, C and the tracer in the path's frame, at a crank angle in
+    /// degrees.
     pub(super) fn places(&self, degrees: f64) -> [Vec2; 3] {
         let e = angle::unit(degrees);
         let u = self.shape.coupling(e).u;
@@ -125,12 +132,12 @@ impl Fit {
         ]
     }
 
-    /// D, in the frame of the path.
+    /// Returns the position of D in the path's frame.
     pub(super) fn far_pivot(&self) -> Vec2 {
         self.place.origin + self.place.scale * self.shape.ground
     }
 
-    /// The rows of a point; `None` where the links do not close, or at a dead point.
+    /// Returns the rows of a point; `None` if the links do not close, or at a dead point.
     #[inline]
     fn rows(&self, layout: Layout, point: Vec2, degrees: f64) -> Option<PointRows> {
         let (shape, place) = (&self.shape, &self.place);
@@ -141,7 +148,7 @@ impl Fit {
         }
         let rates = shape.rates(e, &at);
         let crank = e * shape.crank;
-        // Of the tracer when the coupler alone turns.
+        // The tracer's rate if only the coupler turns.
         let swing = at.u.turned(place.arm).perp();
         let se = e.turned(place.scale);
         let own = se.perp() * shape.crank + swing * rates.by_angle;
@@ -191,7 +198,7 @@ impl Fit {
         })
     }
 
-    /// The sums of all rows, and whether there are any.
+    /// Sums all rows into `normal`. Returns `false` if a point has no rows.
     fn sum(&self, wanted: &WantedPath, layout: Layout, normal: &mut NormalSums) -> bool {
         normal.clear();
         let n = layout.count;
@@ -229,7 +236,7 @@ impl Fit {
         normal.square.is_finite()
     }
 
-    /// The same with its unknowns changed.
+    /// Returns a copy with its unknowns changed by a step.
     fn stepped(&self, layout: Layout, step: &[f64], angles: &mut Vec<f64>) -> Fit {
         let mut new = Fit {
             angles: std::mem::take(angles),
@@ -262,7 +269,7 @@ impl Fit {
         new
     }
 
-    /// What given pivots say of the place.
+    /// Updates the place to satisfy the given pivots.
     fn settle(&mut self) {
         match self.quarry.held {
             HeldPivots::Free => {}
@@ -275,18 +282,19 @@ impl Fit {
         }
     }
 
-    /// Whether it keeps every wish, where its start looked for that: then it goes no step beyond them.
+    /// Returns `true` if the linkage meets every preference and its start searched for this; then
+    /// no step may violate them.
     fn holds_wishes(&self, wanted: &WantedPath) -> bool {
         self.quarry.is_wished && self.lack(wanted) == 0.0
     }
 
-    /// By how much it lacks what is wished.
+    /// Returns how much the linkage violates the preferences; 0 if it meets all.
     pub(super) fn lack(&self, wanted: &WantedPath) -> f64 {
         let ends = super::distinct::ends(self, wanted);
         wanted.wishes.lack(&self.shape, &self.place, ends)
     }
 
-    /// Descends for some steps at the most; whether there was a place to start from.
+    /// Descends by at most `steps` steps. Returns `false` if the start has no rows.
     pub(super) fn descend(&mut self, wanted: &WantedPath, steps: usize) -> bool {
         let layout = Layout::of(wanted, &self.quarry);
         let (mut now, mut next) = (NormalSums::new(), NormalSums::new());
@@ -330,7 +338,7 @@ impl Fit {
         true
     }
 
-    /// The last steps: Gauss's and Newton's, on the rows themselves.
+    /// Improves the minimum by Gauss-Newton steps on the rows themselves.
     pub(super) fn polish(&mut self, wanted: &WantedPath, steps: usize) {
         let layout = Layout::of(wanted, &self.quarry);
         let mut spare = Vec::new();
@@ -355,8 +363,8 @@ impl Fit {
         }
     }
 
-    /// The step of the least length among those that leave the least misses, by singular values. A free angle is
-    /// eliminated by looking across its direction of motion alone.
+    /// Returns the minimum-norm least-squares step, by singular values. A free angle is eliminated
+    /// by projecting its rows onto the normal of its direction of motion.
     fn exact_step(&self, wanted: &WantedPath, layout: Layout) -> Option<DVector<f64>> {
         let each = if layout.timed { 2 } else { 1 };
         let count = each * wanted.points.len();
@@ -410,7 +418,7 @@ impl NormalSums {
         self.square = 0.0;
     }
 
-    /// The damped step of the common unknowns, by Cholesky.
+    /// Solves for the damped step of the common unknowns, by Cholesky's method.
     fn solve(&self, n: usize, damping: f64) -> Option<[f64; MOST]> {
         let part = 1.0 / (1.0 + damping);
         let mut lower = [[0.0; MOST]; MOST];
@@ -449,7 +457,7 @@ impl NormalSums {
         step[..n].iter().all(|v| v.is_finite()).then_some(step)
     }
 
-    /// Turns the crank at every point by what follows from the step.
+    /// Turns the crank at every point by the angle that follows from the step.
     fn turn(&self, angles: &mut [f64], step: &[f64], damping: f64) {
         for (angle, (products, along, square)) in angles.iter_mut().zip(&self.points) {
             let common: f64 = products.iter().zip(step).map(|(p, d)| p * d).sum();

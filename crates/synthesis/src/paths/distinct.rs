@@ -1,33 +1,37 @@
-//! Which of many linkages are different ones, and which of them come first.
+//! Selects the distinct linkages of many and ranks them.
 
 use super::descent::Fit;
 use super::shape::LinkageForm;
 use super::wanted::{HeldPivots, WantedPath};
 use kinematics::Vec2;
 
-/// Linkages whose pivots and pins lie together within this part of their largest distance are one.
+/// Linkages count as one if their pivots and pins agree within this part of their largest distance.
 const ONE: f64 = 0.02;
-/// A mean square of misses below this is rounding.
+/// Mean square of misses below which only rounding remains.
 const ROUNDING: f64 = 1e-20;
-/// Below this sine of the transmission angle a linkage is not told from one at a dead point, or at a change point, beyond
-/// which it goes on in another way than its sign says.
+/// Sine of the transmission angle below which a linkage cannot be distinguished from one at a dead
+/// point or a change point. Beyond such a point it may continue in the other assembly than its sign
+/// says.
 const FLATTEST: f64 = 0.01;
-/// No part is longer or shorter than this in sizes of the path.
+/// Minimum and maximum of every length, in sizes of the path.
 const ENDS: [f64; 2] = [1e-3, 1e3];
 
-/// How many different linkages are followed to the end, and how many more of those that keep the wishes.
+/// Number of different linkages followed to the end, and the number of additional ones that meet
+/// the preferences.
 const FOLLOWED: usize = 32;
 const WISHED: usize = 16;
 
-/// A linkage and what tells its place in the order.
+/// A linkage with the values that determine its rank.
 #[derive(Clone, Debug)]
 pub(super) struct Ranked {
     pub(super) fit: Fit,
-    /// Whether its links close on the whole way without a dead point, with the crank turning one way.
+    /// Whether its links close over the whole task without a dead point, with the crank turning one
+    /// way.
     keeps: bool,
-    /// Whether it keeps every wish.
+    /// Whether it meets every preference.
     is_wished: bool,
-    /// The largest of the lengths in sizes of the path, or the smallest turned over.
+    /// The largest length in sizes of the path, or the reciprocal of the smallest, whichever is
+    /// larger.
     extreme: f64,
     /// A, D, B and C at the first point.
     corners: [Vec2; 4],
@@ -40,7 +44,7 @@ impl Ranked {
         let a = fit.place.origin;
         let (d, far) = match fit.shape.form {
             LinkageForm::FourBar => (fit.far_pivot(), (c - fit.far_pivot()).norm()),
-            // A slide has no pivot: the foot of its normal through A.
+            // A slide has no pivot: the foot of its normal through A is used.
             LinkageForm::SliderCrank => {
                 let foot = Vec2::new(0.0, fit.shape.far).turned(fit.place.scale);
                 (a + foot, (c - b).norm())
@@ -68,7 +72,7 @@ impl Ranked {
         })
     }
 
-    /// What comes first is less.
+    /// Returns the sorting key; lower is better.
     fn key(&self) -> (bool, f64, f64) {
         (!self.keeps, self.fit.square.max(ROUNDING), self.extreme)
     }
@@ -84,7 +88,7 @@ impl Ranked {
             let pairs = self.corners.iter().zip(order.map(|i| other.corners[i]));
             pairs.map(|(p, q)| (*p - q).norm()).all(|far| far < near)
         };
-        // The same with crank and rocker exchanged, where the crank's angles do not count.
+        // Crank and rocker may also be exchanged if the crank's angles do not count.
         let turns_over = x.shape.form == LinkageForm::FourBar
             && wanted.turns.is_none()
             && !matches!(x.quarry.held, HeldPivots::Both(..));
@@ -92,7 +96,8 @@ impl Ranked {
     }
 }
 
-/// Whether a linkage closes on its whole way without a dead point, with the crank turning one way.
+/// Returns `true` if a linkage closes over its whole task without a dead point, with the crank
+/// turning one way.
 fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
     let angles = &fit.angles;
     let [low, high] = ends(fit, wanted);
@@ -109,7 +114,7 @@ fn keeps(fit: &Fit, wanted: &WantedPath) -> bool {
     wanted.turns.is_some() || (most - least <= 360.0 && (ordered(1.0) || ordered(-1.0)))
 }
 
-/// The crank's least and greatest angle on its whole way, in degrees.
+/// Returns the crank's minimum and maximum angle over the task, in degrees.
 pub(super) fn ends(fit: &Fit, wanted: &WantedPath) -> [f64; 2] {
     match wanted.closed {
         true => [0.0, 360.0],
@@ -125,7 +130,8 @@ fn extremes(angles: &[f64]) -> [f64; 2] {
     ]
 }
 
-/// The best of all that are different; where something is wished, behind them the best that keep it.
+/// Returns the best distinct linkages, and after them, if there are preferences, the best that meet
+/// all of these.
 pub(super) fn chosen(all: Vec<Ranked>, wanted: &WantedPath) -> Vec<Ranked> {
     let wished: Vec<Ranked> = match wanted.wishes.is_any() {
         true => all.iter().filter(|one| one.is_wished).cloned().collect(),
@@ -140,7 +146,7 @@ pub(super) fn chosen(all: Vec<Ranked>, wanted: &WantedPath) -> Vec<Ranked> {
     kept
 }
 
-/// The best of all that are different, at most so many.
+/// Returns the best distinct linkages, at most `most`.
 fn distinct(mut all: Vec<Ranked>, wanted: &WantedPath, most: usize) -> Vec<Ranked> {
     all.sort_by(|x, y| {
         let (x, y) = (x.key(), y.key());

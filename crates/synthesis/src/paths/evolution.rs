@@ -1,45 +1,50 @@
-//! Differential evolution (Storn and Price, 1997) over what is not linear: ratios of lengths, the crank's first angle,
-//! and, where times are free, how far and how unevenly it turns.
+//! Differential evolution (Storn and Price, 1997) over the nonlinear unknowns.
+//!
+//! These are ratios of lengths, the crank's first angle, and, if times are free, how far and how
+//! unevenly the crank turns.
 
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
 use super::wanted::{HeldPivots, PathPart, WantedPath};
 use kinematics::numeric::SeededChance;
 
-/// Numbers of a design at the most: three ratios, the first angle, the whole turn and two of its unevenness.
+/// Maximum number of genes: three ratios, the first angle, the whole turn, and two for its
+/// unevenness.
 const GENES: usize = 7;
-/// Designs of a generation, and generations at the most.
+/// Number of designs in a generation, and maximum number of generations.
 const DESIGNS: usize = 36;
 const GENERATIONS: usize = 50;
-/// Draws for a design whose links close.
+/// Maximum number of draws for a design whose links close.
 const DRAWS: usize = 30;
-/// A mean square that is met: the descent does the rest.
+/// Mean square at which the evolution stops: the descent does the rest.
 const MET: f64 = 1e-7;
-/// What links that are too short by the coupler's length count, in mean squares of the path's size.
+/// Penalty for links that are too short by the coupler's length, in mean squares of the path's
+/// size.
 const SHORT: f64 = 1.0;
-/// Below this sine of the transmission angle a design counts for less, and by how much at a dead point.
+/// Sine of the transmission angle below which a design is penalised, and the factor of the penalty
+/// at a dead point.
 const FLAT: f64 = 0.25;
 const FLAT_COUNTS: f64 = 1e-3;
 
-/// What lacking a wish counts, in mean squares of the path's size.
+/// Penalty per unit of violated preferences, in mean squares of the path's size.
 const LACKING: f64 = 0.1;
 
-/// Which linkages a start looks for.
+/// The kind of linkage for which a start searches.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quarry {
     pub(super) form: LinkageForm,
     pub(super) held: HeldPivots,
-    /// The sign of the assembly.
+    /// The sign of the assembly, 1 or -1.
     pub(super) sign: f64,
-    /// Which way the crank turns where times are free: 1 or -1.
+    /// The sense in which the crank turns if times are free: 1 or -1.
     pub(super) sense: f64,
-    /// Whether it is to keep the wishes.
+    /// Whether the linkage should meet the preferences.
     pub(super) is_wished: bool,
 }
 
 type Genes = [f64; GENES];
 
-/// A linkage of a generation, without its place.
+/// A linkage of a generation, without its placement.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Raw {
     pub(super) shape: LinkageShape,
@@ -49,7 +54,7 @@ pub(super) struct Raw {
 }
 
 impl Raw {
-    /// The crank's angle at a point, in degrees.
+    /// Returns the crank's angle at a point, in degrees.
     #[inline]
     pub(super) fn angle(&self, along: &PathPart, turned: Option<f64>) -> f64 {
         let start = self.genes[3];
@@ -63,7 +68,8 @@ impl Raw {
     }
 }
 
-/// The ends of every number; the first three are of the crank, the far length and the ground, by their logarithms.
+/// Returns the range of every gene. The first three belong to the crank, the far length and the
+/// ground, by their logarithms.
 fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
     let free = wanted.turns.is_none();
     let (crank, far, ground) = match quarry.form {
@@ -79,13 +85,13 @@ fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
     [crank, far, ground, [-180.0, 180.0], turn, uneven, uneven]
 }
 
-/// A search of one start.
+/// The search of one start.
 pub(super) struct Evolution<'a> {
     wanted: &'a WantedPath,
     quarry: Quarry,
     ends: [[f64; 2]; GENES],
     chance: SeededChance,
-    /// The least and the greatest of the turns.
+    /// The minimum and maximum of the given turns, in degrees.
     turns: Option<[f64; 2]>,
 }
 
@@ -107,7 +113,7 @@ impl<'a> Evolution<'a> {
         }
     }
 
-    /// The last generation, the best first.
+    /// Returns the last generation, best first.
     pub(super) fn run(mut self) -> Vec<Raw> {
         let mut all: Vec<Raw> = (0..DESIGNS).map(|_| self.draw()).collect();
         for _ in 0..GENERATIONS {
@@ -129,7 +135,7 @@ impl<'a> Evolution<'a> {
         all
     }
 
-    /// A design drawn by chance, if it may be one whose links close.
+    /// Draws a random design, if possible one whose links close.
     fn draw(&mut self) -> Raw {
         let mut drawn = self.drawn();
         for _ in 0..DRAWS {
@@ -166,7 +172,7 @@ impl<'a> Evolution<'a> {
         }
     }
 
-    /// From the first of the angles to the last, in degrees.
+    /// Returns the first and the last crank angle, in degrees.
     fn span(&self, raw: &Raw) -> [f64; 2] {
         let start = raw.genes[3];
         match self.turns {
@@ -175,13 +181,13 @@ impl<'a> Evolution<'a> {
         }
     }
 
-    /// By how much the links are too short on the way.
+    /// Returns by how much the links are too short over the task.
     fn short(&self, raw: &Raw) -> f64 {
         let [low, high] = self.span(raw);
         raw.shape.worst_between(low, high).0
     }
 
-    /// How good a design is: what it misses, and what makes it no linkage.
+    /// Rates a design by its misses and by penalties for violated conditions.
     fn weigh(&self, raw: &mut Raw) {
         let [low, high] = self.span(raw);
         let (short, sine) = raw.shape.worst_between(low, high);
@@ -208,13 +214,13 @@ impl<'a> Evolution<'a> {
         };
     }
 
-    /// A design of three others, crossed with the one whose place it may take.
+    /// Crosses a mutant of three random designs with the design that it may replace.
     fn trial(&mut self, all: &[Raw], of: usize, best: Option<Raw>) -> Raw {
         let last = u32::try_from(all.len() - 1).unwrap_or(0);
         let mut other = || &all[self.chance.between(0, last) as usize].genes;
         let (a, b, c) = (other(), other(), other());
         let weight = 0.65 + 0.25 * self.chance.even();
-        // A half goes out from the best, as far as chance has it.
+        // Half of the mutants are pulled towards the best design, by a random part.
         let pull = self.chance.even().max(0.0);
         let own = all[of].genes;
         let mut genes = own;

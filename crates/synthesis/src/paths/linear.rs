@@ -1,4 +1,4 @@
-//! The unknowns in which the path is linear.
+//! Solves for the unknowns in which the path is linear.
 //!
 //! Read as complex numbers, the tracer of a linkage of known shape is
 //!
@@ -6,41 +6,44 @@
 //! P = A + s a e + z u
 //! ```
 //!
-//! with A its pivot, s the size and turning of the ground, e and u the directions of crank and coupler, and z the tracer
-//! seen from B along the coupler. Whatever e and u are, A, s and z follow by least squares (variable projection: Golub
-//! and Pereyra, 1973): at most two complex unknowns, since A leaves with the means. A pivot that is given takes its part
-//! of them: with D given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
+//! with A its pivot, s the size and turning of the ground, e and u the directions of crank and
+//! coupler, and z the tracer seen from B along the coupler. For any e and u, the unknowns A, s and
+//! z follow by least squares (variable projection: Golub and Pereyra, 1973). At most two complex
+//! unknowns remain, since A is eliminated by the means. A given pivot eliminates unknowns: with D
+//! given, P - D = s (a e - g) + z u, with both s = (D - A) / g.
 
 use super::shape::LinkageShape;
 use super::wanted::{HeldPivots, WantedPath};
 use kinematics::{Vec2, angle};
 
-/// What a linkage of known shape still lacks.
+/// The placement of a linkage of known shape.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LinkagePlace {
-    /// A.
+    /// The position of A.
     pub(super) origin: Vec2,
     /// The size and turning of the ground, as a complex number.
     pub(super) scale: Vec2,
-    /// From B to the tracer, along the coupler, as a complex number.
+    /// The vector from B to the tracer, relative to the coupler, as a complex number.
     pub(super) arm: Vec2,
 }
 
-/// How well the best of all places meets the path.
+/// The best placement for the path and its quality.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Projection {
     pub(super) place: LinkagePlace,
     /// The weighted mean square of the misses.
     pub(super) square: f64,
-    /// How far the links were too short, all together.
+    /// The sum over all points by how much the links are too short.
     pub(super) short: f64,
 }
 
-/// How much less a linkage of a hundred times the path's size counts: it keeps apart what would else be one.
+/// Relative weight of a ridge term: it penalises linkages a hundred times the path's size, and
+/// keeps columns distinct that would coincide without it.
 const RIDGE: f64 = 1e-8;
 
 impl HeldPivots {
-    /// What comes before the linear unknowns: the point from which the path is seen, and how much of g stands there.
+    /// Returns the known parts of the linear problem: the origin from which the path is seen, and
+    /// the factor of g in the column of s.
     #[inline]
     pub(super) fn seen(self) -> (Vec2, f64) {
         match self {
@@ -52,7 +55,8 @@ impl HeldPivots {
 }
 
 impl Projection {
-    /// The best place of a shape whose crank is at these angles, in degrees, at the points.
+    /// Computes the best placement of a shape with its crank at these angles, in degrees, one per
+    /// point.
     #[inline]
     pub(super) fn of(
         wanted: &WantedPath,
@@ -129,7 +133,7 @@ impl ProjectionSums {
         self.ut += t.turned(wu.conj());
     }
 
-    /// About the means.
+    /// Returns the sums about the means.
     fn centred(&self) -> ProjectionSums {
         ProjectionSums {
             pp: self.pp - self.p.norm2(),
@@ -142,7 +146,7 @@ impl ProjectionSums {
         }
     }
 
-    /// The multiples of both columns that come nearest, and the square of what is left.
+    /// Returns the least-squares factors of both columns and the residual's square.
     fn two(&self) -> (Vec2, Vec2, f64) {
         let (pp, uu) = (self.pp + RIDGE * self.uu.max(self.pp), self.uu + RIDGE);
         let determinant = pp * uu - self.pu.norm2();

@@ -1,9 +1,11 @@
-//! Linkages whose tracer comes through points, in any number, with the crank's angles given or free.
+//! Searches for linkages whose tracer passes through any number of points, with the crank's angles
+//! given or free.
 //!
-//! A linkage of known shape (the ratios of its lengths) meets the points by a linear problem. So a search has two stages:
-//! differential evolution over the few numbers that are not linear, from many starts, and from the best of each a
-//! descent over all unknowns with exact derivatives. What is found are minima, each a linkage of its own; a search with
-//! many starts proves nothing complete.
+//! Fitting a linkage of known shape (the ratios of its lengths) to the points is a linear problem.
+//! A search therefore has two stages. Differential evolution over the few nonlinear numbers runs
+//! from many starts. From the best designs of each start, a descent over all unknowns follows, with
+//! exact derivatives. The results are minima, each a different linkage; a search from many starts
+//! proves no completeness.
 //!
 //! ```text
 //! wanted     the path in a frame of its own
@@ -35,44 +37,46 @@ use kinematics::{angle, parallel};
 use shape::LinkageForm;
 use wanted::{HeldPivots, WantedPath};
 
-/// Points that the evolution looks at; the descent looks at all.
+/// Number of points used by the evolution; the descent uses all.
 const ROUGH_POINTS: usize = 36;
-/// How many of a start's designs descend, and by how many steps.
+/// Number of descents per start, and number of steps of each.
 const DESCENTS: usize = 3;
 const ROUGH_STEPS: usize = 80;
-/// By how many steps those that are chosen are followed to the end.
+/// Number of steps of the final descent of the chosen linkages, and of its last stage.
 const STEPS: usize = 1500;
 const LAST_STEPS: usize = 12;
-/// The part of the work that the starts are.
+/// The part of the work done by the starts.
 const STARTS_PART: f64 = 0.85;
 
-/// A search for linkages whose tracer comes through points.
+/// A search for linkages whose tracer passes through points.
 #[derive(Clone, Copy, Debug)]
 pub struct PathSearch<'a> {
-    /// The points.
+    /// The points of the path.
     pub task: &'a PathTask,
-    /// Whether four-bars are looked for.
+    /// Whether to search for four-bars.
     pub four_bars: bool,
-    /// Whether slider-cranks are looked for.
+    /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
-    /// What is wished beside: every other round of starts looks for linkages that keep it.
+    /// The preferences: every other round of starts searches for linkages that meet them.
     pub wishes: Wishes,
-    /// From which chance follows.
+    /// The seed of the random numbers.
     pub seed: u64,
-    /// Threads; they change the time alone.
+    /// The number of threads; it changes only the run time.
     pub threads: usize,
-    /// How many starts are made.
+    /// The number of starts.
     pub starts: u32,
 }
 
 impl PathSearch<'_> {
-    /// Starts that are usual.
+    /// The default number of starts.
     pub const STARTS: u32 = 128;
 
-    /// Searches. `watch` is told the part that is done, from 0 to 1, and stops by answering false: what was found until
-    /// then comes out. The same seed gives the same linkages.
+    /// Searches for linkages.
     ///
-    /// Nothing is found for fewer than two different points, and for numbers that are none.
+    /// `watch` receives the completed part, from 0 to 1, and stops the search by returning `false`;
+    /// the linkages found until then are returned. Equal seeds give equal linkages.
+    ///
+    /// The result is empty for fewer than two different points, or if a number is not finite.
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
         let Some(wanted) = WantedPath::of(self.task, &self.wishes) else {
@@ -126,7 +130,7 @@ impl PathSearch<'_> {
         }
     }
 
-    /// What the starts look for, in turn.
+    /// Returns the kinds of linkage for which successive starts search.
     fn quarries(&self, wanted: &WantedPath) -> Vec<Quarry> {
         let forms = [
             (self.four_bars, LinkageForm::FourBar),
@@ -156,7 +160,7 @@ impl PathSearch<'_> {
         quarries
     }
 
-    /// To which links the pivots that are given may belong.
+    /// Returns the possible assignments of the given pivots to links.
     fn held(&self, wanted: &WantedPath, form: LinkageForm) -> Vec<HeldPivots> {
         let pivots: Vec<_> = self.task.pivots.iter().map(|&p| wanted.inside(p)).collect();
         match (pivots[..].as_ref(), form) {
@@ -168,12 +172,12 @@ impl PathSearch<'_> {
             ([one, two], LinkageForm::FourBar) if one != two => {
                 vec![HeldPivots::Both(*one, *two), HeldPivots::Both(*two, *one)]
             }
-            // A slider-crank has one pivot, and nothing has three.
+            // A slider-crank has one pivot, and no linkage has three.
             _ => Vec::new(),
         }
     }
 
-    /// A linkage in the frame of the task; what was given is in it as it was given.
+    /// Converts a linkage to the task's frame; given pivots keep their exact values.
     fn proposal(&self, fit: &Fit, wanted: &WantedPath) -> Proposal {
         let given = |held| {
             let all = self.task.pivots.iter().copied();
@@ -201,7 +205,7 @@ impl PathSearch<'_> {
     }
 }
 
-/// What comes of one start.
+/// Runs one start and returns its linkages.
 fn start(
     wanted: &WantedPath,
     rough: &WantedPath,
@@ -209,7 +213,7 @@ fn start(
     seed: u64,
     number: usize,
 ) -> Vec<Ranked> {
-    // The golden ratio's bits keep the chances of the starts apart.
+    // The golden ratio's bits give every start a different random sequence.
     let seed = seed ^ (number as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     let last = Evolution::new(rough, quarry, seed).run();
     let step = (last.len() / DESCENTS).max(1);

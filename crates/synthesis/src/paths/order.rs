@@ -1,20 +1,22 @@
-//! The crank's angles where points lie out of their order by no more than their noise.
+//! Sorts the crank's angles if points are out of order by no more than their noise.
 //!
-//! A point beside the curve is met best at its foot, and feet of neighbouring points may lie the other way round. The
-//! nearest angles that go one way are those of an isotonic regression: neighbours that are out of order share the mean
-//! of their angles (pool adjacent violators: Ayer et al., 1955), each weighed by how fast the tracer leaves its foot.
+//! A point next to the curve is met best at its foot, and the feet of neighbouring points may have
+//! the opposite order. An isotonic regression gives the nearest monotonic angles: neighbours out of
+//! order share the mean of their angles (pool adjacent violators: Ayer et al., 1955), each weighted
+//! by how fast the tracer leaves its foot.
 
 use super::descent::Fit;
 use super::wanted::WantedPath;
 
-/// By how much more a linkage may miss in order, in mean squares: what costs more is no noise, but another order.
+/// Maximum factor by which sorting may increase the mean square. A larger increase is not noise but
+/// another order.
 const COSTS: f64 = 4.0;
-/// A mean square of misses below this is rounding.
+/// Mean square of misses below which only rounding remains.
 const ROUNDING: f64 = 1e-20;
-/// Degrees by which the tracer is followed on its way.
+/// Step of the crank for the tracer's difference quotient, in degrees.
 const STEP: f64 = 1e-3;
 
-/// Neighbours that share an angle.
+/// Neighbours with a common angle.
 struct AnglePool {
     weight: f64,
     angle: f64,
@@ -22,7 +24,7 @@ struct AnglePool {
 }
 
 impl Fit {
-    /// Puts the crank's angles in order where that costs little; else leaves them.
+    /// Sorts the crank's angles if this costs little; if not, leaves them unchanged.
     pub(super) fn put_in_order(&mut self, wanted: &WantedPath) {
         let ends = self.angles.first().zip(self.angles.last());
         let (Some((first, last)), None) = (ends, &wanted.turns) else {
@@ -52,7 +54,7 @@ impl Fit {
         for (&angle, weight) in self.angles.iter().zip(&wanted.weights) {
             let [ahead, behind] = [STEP, -STEP].map(|step| self.places(angle + step)[2]);
             let mut pool = AnglePool {
-                // A point that counts for nothing, or stands, still has an angle.
+                // A point of zero weight, or of zero velocity, still has an angle.
                 weight: (weight * (ahead - behind).norm2()).max(f64::MIN_POSITIVE),
                 angle,
                 count: 1,

@@ -1,8 +1,8 @@
-//! What a four-bar or a slider-crank does, but for its place, its turning and its size.
+//! Kinematics of a four-bar or a slider-crank, apart from its position, orientation and size.
 //!
-//! A stands at the origin, the coupler B-C is 1 long. Of a four-bar the other pivot D stands on the x axis at `ground`,
-//! of a slider-crank the slide runs along the x axis at the height `far`. With e the crank's direction and u that of the
-//! coupler
+//! A is at the origin, and the coupler B-C is 1 long. The other pivot D of a four-bar is on the x
+//! axis at `ground`. The slide of a slider-crank runs parallel to the x axis at the height `far`.
+//! With e the crank's direction and u that of the coupler
 //!
 //! ```text
 //! four-bar       q = a e - g, the vector D-B;   |q + u| = far     m = (far^2 - 1 - |q|^2) / 2
@@ -10,7 +10,8 @@
 //! slider-crank   a e_y + u_y = far                                u = (sign sqrt(1 - m^2), m),  m = far - a e_y
 //! ```
 //!
-//! Both are one equation f . (a e + u - ..) = .., with f = q + u or f = (0, 1); so that, psi being the angle of u,
+//! Both are one equation f . (a e + u - ..) = .., with f = q + u or f = (0, 1); so that, psi being
+//! the angle of u,
 //!
 //! ```text
 //! f . (k x u) dpsi = far dfar + f_x dg - (f . e) da - a f . (k x e) dphi     (dfar alone of a slider-crank)
@@ -18,38 +19,38 @@
 
 use kinematics::Vec2;
 
-/// Which linkage it is.
+/// The kind of linkage.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum LinkageForm {
     FourBar,
     SliderCrank,
 }
 
-/// Lengths in those of the coupler, and the sign of the assembly.
+/// Lengths relative to the coupler's, and the sign of the assembly.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct LinkageShape {
     pub(super) form: LinkageForm,
-    /// 1 or -1.
+    /// The sign of the assembly, 1 or -1.
     pub(super) sign: f64,
     pub(super) crank: f64,
     /// The rocker's length, or the slide's height.
     pub(super) far: f64,
-    /// D; 0 of a slider-crank.
+    /// The x of D; 0 for a slider-crank.
     pub(super) ground: f64,
 }
 
-/// The coupler at one angle of the crank.
+/// The coupler at one crank angle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coupling {
-    /// Its direction; where nothing closes, the one that comes nearest.
+    /// The coupler's direction; if the links do not close, the nearest one.
     pub(super) u: Vec2,
-    /// f . (k x u): nought at a dead point.
+    /// f . (k x u), which is zero at a dead point.
     pub(super) lever: f64,
-    /// By how much the links are too short; 0 where they close.
+    /// By how much the links are too short; 0 if they close.
     pub(super) short: f64,
 }
 
-/// How the coupler's angle changes, in radians.
+/// Derivatives of the coupler's angle, in radians.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AngleRates {
     pub(super) by_angle: f64,
@@ -59,7 +60,7 @@ pub(super) struct AngleRates {
 }
 
 impl LinkageShape {
-    /// The coupler where the crank points along the unit vector `e`.
+    /// Returns the coupler for the crank along the unit vector `e`.
     #[inline]
     pub(super) fn coupling(&self, e: Vec2) -> Coupling {
         match self.form {
@@ -103,7 +104,8 @@ impl LinkageShape {
         }
     }
 
-    /// How the coupler's angle changes with the crank's and with every length.
+    /// Returns the derivatives of the coupler's angle with respect to the crank's angle and to
+    /// every length.
     #[inline]
     pub(super) fn rates(&self, e: Vec2, at: &Coupling) -> AngleRates {
         let per = 1.0 / at.lever;
@@ -125,7 +127,8 @@ impl LinkageShape {
         }
     }
 
-    /// The sine of the angle between coupler and rocker, or between coupler and the normal of the slide.
+    /// Returns the sine of the angle between coupler and rocker, or between coupler and the slide's
+    /// normal.
     pub(super) fn transmission(&self, at: &Coupling) -> f64 {
         match self.form {
             LinkageForm::FourBar => at.lever.abs() / self.far.abs(),
@@ -133,8 +136,11 @@ impl LinkageShape {
         }
     }
 
-    /// Between these angles of the crank, in degrees, by how much the links are anywhere too short, and the least sine of
-    /// the transmission angle: both are worst at the ends or where the crank lies along the ground, or across the slide.
+    /// Returns the maximum by which the links are too short between two crank angles, in degrees,
+    /// and the minimum sine of the transmission angle.
+    ///
+    /// Both extrema occur at the ends, or where the crank lies along the ground or perpendicular to
+    /// the slide.
     pub(super) fn worst_between(&self, low: f64, high: f64) -> (f64, f64) {
         let first = match self.form {
             LinkageForm::FourBar => 0.0,

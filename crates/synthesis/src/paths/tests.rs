@@ -41,7 +41,7 @@ fn size(points: &[Vec2]) -> f64 {
     box_.x.max(box_.y)
 }
 
-/// The root of the mean square of the misses, in parts of the path's size.
+/// Returns the root mean square of the misses, relative to the path's size.
 fn rms(proposal: &Proposal, points: &[Vec2]) -> f64 {
     let squares: f64 = (0..points.len())
         .map(|j| (tracer(proposal, j) - points[j]).norm2())
@@ -49,7 +49,8 @@ fn rms(proposal: &Proposal, points: &[Vec2]) -> f64 {
     (squares / points.len() as f64).sqrt() / size(points)
 }
 
-/// A linkage that comes through `count` points of a turn, or of a part of one, and these.
+/// Draws a linkage that reaches `count` points of a turn, or of a part of one, and returns it with
+/// its turns and points.
 fn planted(
     chance: &mut SeededChance,
     slides: bool,
@@ -80,8 +81,8 @@ fn planted(
     }
 }
 
-/// Whether the tracer of a linkage comes to a place within this distance of another at some angle of its own crank, in
-/// its own assembly. Its crank's angles are looked through, and the best is made better.
+/// Returns `true` if the tracer of a linkage passes within a distance of a point, at some angle of
+/// its own crank in its own assembly. The crank's angles are sampled, and the best ones refined.
 fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
     let (crank, coupler, rocker) = proposal.lengths().unwrap();
     let [b, c] = proposal.places[0];
@@ -126,7 +127,8 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
     })
 }
 
-/// How many of so many planted four-bars are among what is found: their curve between the points, too, is met to 1e-9.
+/// Returns how many of `count` known four-bars are found; their curve between the points, too, must
+/// agree to 1e-9.
 fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
     let mut chance = SeededChance::new(7 + u64::from(closed));
     (0..count)
@@ -149,20 +151,21 @@ fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
 }
 
 #[test]
-fn planted_four_bars_with_times_are_found_again() {
+fn planted_four_bars_with_times_are_recovered() {
     let shares = [recovered(false, true, 12), recovered(true, true, 12)];
     assert!(shares[0] >= 12 && shares[1] >= 12, "{shares:?}");
 }
 
-/// Without times an open path has long valleys in which the descent comes to no end: it is a share that is found.
+/// Without times, an open path has long valleys in which the descent does not converge: only some
+/// are found.
 #[test]
-fn some_planted_four_bars_without_times_are_found_again() {
+fn some_planted_four_bars_without_times_are_recovered() {
     let shares = [recovered(false, false, 12), recovered(true, false, 12)];
     assert!(shares[0] >= 4 && shares[1] >= 10, "{shares:?}");
 }
 
 #[test]
-fn planted_slider_cranks_are_found_again() {
+fn planted_slider_cranks_are_recovered() {
     let mut chance = SeededChance::new(3);
     let mut met = [0, 0];
     for k in 0..10 {
@@ -181,13 +184,13 @@ fn planted_slider_cranks_are_found_again() {
                 u32::from(all.found.iter().any(|p| rms(p, &task.points) < 1e-9));
         }
     }
-    // Without times most of the closed half, and next to none of the open one.
+    // Without times, most of the closed half are found, and few of the open half.
     assert!(met[0] >= 4 && met[1] >= 10, "{met:?}");
 }
 
-/// Noise of 1 % of the size is no obstacle: what is found misses no more than the noise does.
+/// With noise of 1 % of the size, the linkages found miss by no more than the noise.
 #[test]
-fn noise_is_met_by_its_own_size() {
+fn misses_do_not_exceed_noise() {
     let mut chance = SeededChance::new(21);
     for k in 0..6 {
         let (_, turns, mut points) = planted(&mut chance, false, k % 2 == 0, 16 + k);
@@ -210,9 +213,9 @@ fn noise_is_met_by_its_own_size() {
     }
 }
 
-/// Points in any small number, on a line, are met.
+/// Two to six points on a line are met.
 #[test]
-fn few_points_on_a_line_are_met() {
+fn few_points_on_line_are_met() {
     for count in 2..=6 {
         let points: Vec<Vec2> = (0..count)
             .map(|j| Vec2::new(20.0, 20.0 + 5.0 * f64::from(j)))
@@ -229,7 +232,7 @@ fn few_points_on_a_line_are_met() {
     }
 }
 
-/// Given pivots are in the result to the bit, on either side.
+/// The result contains given pivots bit for bit, on either side.
 #[test]
 fn given_pivots_are_kept() {
     let mut chance = SeededChance::new(33);
@@ -262,7 +265,7 @@ fn given_pivots_are_kept() {
             }
         }
     }
-    // A slider-crank has one pivot, nothing has three.
+    // A slider-crank has one pivot, and no linkage has three.
     for pivots in [
         vec![planted.pivot, d],
         vec![planted.pivot, d, Vec2::ZERO],
@@ -281,9 +284,9 @@ fn given_pivots_are_kept() {
     }
 }
 
-/// A point that counts for nothing moves nothing, one that counts for all is met.
+/// A point of zero weight has no influence, and one of very large weight is met.
 #[test]
-fn weights_count() {
+fn weights_control_misses() {
     let mut chance = SeededChance::new(8);
     let (_, turns, mut points) = planted(&mut chance, false, true, 14);
     let shift = Vec2::new(0.5, 0.3) * size(&points);
@@ -301,7 +304,7 @@ fn weights_count() {
 }
 
 #[test]
-fn the_same_seed_finds_the_same_on_any_number_of_threads() {
+fn same_seed_gives_same_linkages_for_any_thread_count() {
     let mut chance = SeededChance::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
@@ -321,7 +324,7 @@ fn the_same_seed_finds_the_same_on_any_number_of_threads() {
 }
 
 #[test]
-fn whoever_watches_is_told_the_part_and_may_stop() {
+fn search_reports_progress_and_can_be_stopped() {
     let mut chance = SeededChance::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
@@ -344,9 +347,9 @@ fn whoever_watches_is_told_the_part_and_may_stop() {
     assert!(asked < 100, "{asked}");
 }
 
-/// What is found are different linkages.
+/// The linkages found are all different.
 #[test]
-fn no_two_results_are_one() {
+fn results_are_distinct() {
     let points: Vec<Vec2> = (0..5)
         .map(|j| Vec2::new(f64::from(j), f64::from(j * j) * 0.1))
         .collect();
@@ -363,9 +366,9 @@ fn no_two_results_are_one() {
     }
 }
 
-/// Whatever the points are, nothing panics, and every number that comes out is one.
+/// For any points, nothing panics and all results are finite.
 #[test]
-fn odd_points_are_no_trouble() {
+fn degenerate_points_give_finite_linkages() {
     let circle = |count: u32| -> Vec<Vec2> {
         let step = 360.0 / f64::from(count);
         (0..count)
@@ -430,7 +433,7 @@ fn odd_points_are_no_trouble() {
             }
         }
     }
-    // A circle is drawn by a crank, and a line by a slide.
+    // A crank draws a circle, and a slide a line.
     for points in [circle(12), line(9)] {
         let task = task(points.clone(), false, None);
         let found = PathSearch {
@@ -443,9 +446,9 @@ fn odd_points_are_no_trouble() {
     }
 }
 
-/// The derivatives of the coupler's angle against differences.
+/// Compares the derivatives of the coupler's angle with difference quotients.
 #[test]
-fn rates_are_those_of_the_coupler() {
+fn coupler_rates_match_difference_quotients() {
     use super::shape::LinkageShape;
     let mut chance = SeededChance::new(6);
     let mut held = 0;
@@ -537,7 +540,8 @@ fn rates_are_those_of_the_coupler() {
     assert!(held > 200, "{held}");
 }
 
-/// Noise along a curve puts neighbours out of order; the crank still goes one way, and misses little more.
+/// Noise along a curve changes the order of neighbours; the crank still turns one way and misses
+/// little more.
 #[test]
 fn points_out_of_order_by_noise_are_met_in_order() {
     let turns: Vec<f64> = (0..120).map(|k| 1.5 * f64::from(k)).collect();
@@ -583,9 +587,10 @@ fn points_out_of_order_by_noise_are_met_in_order() {
     assert!(count(&ordered) > 0);
 }
 
-/// A search that is told of wishes keeps them where there are such linkages; one that is not does not look.
+/// A search with preferences finds linkages that meet them, if these exist; a search without them
+/// finds none here.
 #[test]
-fn a_search_looks_for_what_is_wished() {
+fn search_finds_linkages_with_wanted_properties() {
     let points: Vec<Vec2> = (0..6)
         .map(|k| Vec2::new(20.0, 20.0 + 5.0 * f64::from(k)))
         .collect();

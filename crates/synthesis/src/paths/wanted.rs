@@ -1,26 +1,27 @@
-//! The path in a frame of its own: its middle at the origin, its size 1.
+//! The path in its own frame, with its middle at the origin and its size 1.
 
 use super::wishes::SearchWishes;
 use crate::{PathTask, Wishes};
 use kinematics::Vec2;
 
-/// How far along the path a point lies, from 0 to 1, and what a crank that turns unevenly has turned more there.
+/// A point's position along the path, from 0 to 1, and two terms of additional rotation for an
+/// unevenly turning crank.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathPart {
     pub(super) part: f64,
     pub(super) uneven: [f64; 2],
 }
 
-/// Which pivots are given, and to which link each belongs.
+/// The given pivots and the links to which they belong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum HeldPivots {
-    /// None.
+    /// The case without given pivots.
     Free,
-    /// The crank's.
+    /// The crank's pivot.
     Crank(Vec2),
-    /// The rocker's.
+    /// The rocker's pivot.
     Rocker(Vec2),
-    /// The crank's and the rocker's.
+    /// The crank's and the rocker's pivot.
     Both(Vec2, Vec2),
 }
 
@@ -28,20 +29,21 @@ pub(super) enum HeldPivots {
 #[derive(Clone, Debug)]
 pub(super) struct WantedPath {
     pub(super) points: Vec<Vec2>,
-    /// How much each point counts; together 1.
+    /// The weight of each point; the sum is 1.
     pub(super) weights: Vec<f64>,
-    /// Degrees from the first point; none where they are free.
+    /// The crank's rotation from the first point, in degrees; `None` if it is free.
     pub(super) turns: Option<Vec<f64>>,
     pub(super) along: Vec<PathPart>,
     pub(super) closed: bool,
     pub(super) wishes: SearchWishes,
-    /// Its frame in that of the task.
+    /// The origin and the size of this frame in the task's frame.
     pub(super) middle: Vec2,
     pub(super) size: f64,
 }
 
 impl WantedPath {
-    /// `None` where there are no two different points that count, or a number is none.
+    /// Converts a task. Returns `None` if fewer than two different points have a weight, or if a
+    /// number is not finite.
     pub(super) fn of(task: &PathTask, wishes: &Wishes) -> Option<WantedPath> {
         let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
         let total: f64 = (0..task.points.len()).map(given).sum();
@@ -75,21 +77,21 @@ impl WantedPath {
         })
     }
 
-    /// A point of the task in this frame.
+    /// Converts a point of the task to this frame.
     pub(super) fn inside(&self, point: Vec2) -> Vec2 {
         (point - self.middle) * (1.0 / self.size)
     }
 
-    /// A point of this frame in that of the task.
+    /// Converts a point of this frame to the task's frame.
     pub(super) fn outside(&self, point: Vec2) -> Vec2 {
         self.middle + point * self.size
     }
 
-    /// The same with about `most` points at the most.
+    /// Returns a copy with about `most` points or fewer.
     pub(super) fn thinned(&self, most: usize) -> WantedPath {
         let step = self.points.len().div_ceil(most).max(1);
         let count = self.points.len();
-        // The last point stays: an open path ends there.
+        // The last point stays, since an open path ends there.
         let kept = || (0..count).filter(|j| j % step == 0 || j + 1 == count);
         let total: f64 = kept().map(|j| self.weights[j]).sum();
         let even = 1.0 / kept().count() as f64;
@@ -113,7 +115,7 @@ impl WantedPath {
     }
 }
 
-/// The middle of the points, weighted, and the larger side of their box.
+/// Returns the weighted middle of the points and the larger side of their box.
 fn frame(points: &[Vec2], weights: &[f64]) -> Option<(Vec2, f64)> {
     let first = *points.first()?;
     let sum = |of: &dyn Fn(Vec2) -> f64| -> f64 {

@@ -1,26 +1,27 @@
-//! Wishes in the frame of the path, as far as a search can look for them.
+//! Preferences in the path's frame, as far as a search can take them into account.
 
 use super::linear::LinkagePlace;
 use super::shape::{LinkageForm, LinkageShape};
 use crate::Wishes;
 use kinematics::Vec2;
 
-/// What is wished of a linkage beside its path.
+/// The preferences for a linkage, apart from its path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SearchWishes {
     full_turn: bool,
-    /// The least sine of the transmission angle.
+    /// The minimum sine of the transmission angle.
     sine: f64,
     /// Two opposite corners of a box for the pivots.
     inside: Option<[Vec2; 2]>,
-    /// The largest ratio of two lengths.
+    /// The maximum ratio of two lengths.
     ratio: f64,
-    /// Whether the points are to be met in their order.
+    /// Whether the crank should reach the points in their order.
     pub(super) ordered: bool,
 }
 
 impl SearchWishes {
-    /// Of a path whose crank turns once where it is closed; `place` is where a point of the task lies in the path's frame.
+    /// Converts the preferences; `place` maps a point of the task to the path's frame. The crank of
+    /// a closed path turns fully in any case.
     pub(super) fn of(wishes: &Wishes, closed: bool, place: impl Fn(Vec2) -> Vec2) -> SearchWishes {
         let transmission = wishes.transmission.unwrap_or(0.0);
         SearchWishes {
@@ -32,13 +33,14 @@ impl SearchWishes {
         }
     }
 
-    /// Whether there is any that a search does not keep by itself.
+    /// Returns `true` if there is a preference that a search does not meet by itself.
     pub(super) fn is_any(&self) -> bool {
         self.full_turn || self.sine > 0.0 || self.inside.is_some() || self.ratio.is_finite()
     }
 
-    /// By how much a linkage lacks what is wished while its crank goes between two angles, in degrees: 0 where it keeps
-    /// all. Lengths count in sizes of the path, ratios by their logarithm, angles by their sine.
+    /// Returns how much a linkage violates the preferences while its crank moves between two
+    /// angles, in degrees; 0 if it meets all. Lengths count in sizes of the path, ratios by their
+    /// logarithm, angles by their sine.
     pub(super) fn lack(
         &self,
         shape: &LinkageShape,
@@ -72,7 +74,7 @@ impl SearchWishes {
     }
 }
 
-/// How far a place lies outside of the box of two opposite corners.
+/// Returns the distance of a point from the box of two opposite corners; 0 inside it.
 fn outside([one, other]: [Vec2; 2], p: Vec2) -> f64 {
     let beyond = |v: f64, a: f64, b: f64| (a.min(b) - v).max(v - a.max(b)).max(0.0);
     beyond(p.x, one.x, other.x).hypot(beyond(p.y, one.y, other.y))

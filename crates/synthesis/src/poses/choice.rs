@@ -1,22 +1,23 @@
-//! Two dyads make a linkage; of many, those that promise most and are different.
+//! Combines two dyads into a linkage, and selects the most promising distinct linkages.
 
 use super::dyad::PinHeld;
 use super::guidance::Guidance;
 use crate::{Partner, Proposal};
 use kinematics::{Vec2, angle};
 
-/// Pins, or pivots, nearer than this part of the size make no link.
+/// Pins or pivots closer than this part of the size do not form a link.
 const NOTHING: f64 = 1e-7;
-/// The ratio of the longest to the shortest length from which on a linkage is as bad as the ratio is large.
+/// Ratio of the longest to the shortest length above which the quality decreases in proportion.
 const RATIO: f64 = 6.0;
-/// What a linkage is worth whose crank would have to turn back on the way.
+/// Quality factor of a linkage whose crank would have to turn back.
 const UNORDERED: f64 = 0.5;
-/// Linkages of which no point is further from that of another than this part of the shortest link are alike.
+/// Linkages are alike if all their points differ by less than this part of the shortest link.
 const ALIKE: f64 = 0.5;
-/// Of linkages that are sure to change their assembly between poses, and chosen from any number, so many of each kind are shown.
+/// Maximum number of linkages per kind that certainly change their assembly between poses, if
+/// linkages are selected from a continuous family.
 const DEFECTIVE: usize = 8;
 
-/// A linkage of two dyads, as far as it is one that is wanted.
+/// Combines two dyads into linkages of the wanted kinds.
 pub(super) struct DyadPairing<'a> {
     pub guidance: &'a Guidance,
     pub four_bars: bool,
@@ -24,7 +25,8 @@ pub(super) struct DyadPairing<'a> {
 }
 
 impl DyadPairing<'_> {
-    /// Two dyads as a linkage; of a four-bar the better one of its two pivots drives.
+    /// Combines two dyads into a linkage; a four-bar is driven at the better of its two pivots.
+    /// Returns `None` for an unwanted kind, or if pins or pivots coincide.
     pub(super) fn linkage(&self, a: &PinHeld, b: &PinHeld) -> Option<Proposal> {
         let (crank, pivot, other) = match (a.by, b.by) {
             (Partner::Rocker(pivot), Partner::Rocker(_)) if self.four_bars => (a, pivot, b),
@@ -51,15 +53,16 @@ impl DyadPairing<'_> {
         }
     }
 
-    /// The linkages of all pairs of dyads: where a number is given, at most so many, each different from those before
-    /// it.
+    /// Returns the linkages of all pairs of dyads, best first. With `most`, returns at most so
+    /// many, all different.
     pub(super) fn among(&self, dyads: &[PinHeld], most: Option<usize>) -> Vec<Proposal> {
         let pairs = dyads.iter().enumerate();
         let pairs = pairs.flat_map(|(k, a)| dyads[..k].iter().map(move |b| (a, b)));
         self.best(pairs.filter_map(|(a, b)| self.linkage(a, b)), most)
     }
 
-    /// The same of all pairs with one dyad that is given.
+    /// Returns the linkages of a given dyad with all others, best first. With `most`, returns at
+    /// most so many, all different.
     pub(super) fn with(
         &self,
         given: &PinHeld,
@@ -78,7 +81,7 @@ impl DyadPairing<'_> {
         let Some(most) = most else {
             return ranked.into_iter().map(|(_, linkage)| linkage).collect();
         };
-        // Both kinds have their share.
+        // Both kinds get an equal share.
         let (mut four_bars, mut slider_cranks) = (ChosenOfKind::default(), ChosenOfKind::default());
         let share = match self.four_bars && self.slider_cranks {
             true => most / 2,
@@ -102,7 +105,7 @@ impl DyadPairing<'_> {
     }
 }
 
-/// Those of one kind that were chosen.
+/// The selected linkages of one kind.
 #[derive(Default)]
 struct ChosenOfKind {
     found: Vec<Proposal>,
@@ -123,8 +126,10 @@ fn are_alike(a: &Proposal, b: &Proposal) -> bool {
     is_held_alike && near(a.pivot, b.pivot) && near(pins[0], others[0]) && near(pins[1], others[1])
 }
 
-/// The least sine of the transmission angle over the poses; less for lengths out of proportion, and for a crank that does
-/// not turn one way; none where the assembly changes, since a mechanism does not.
+/// Returns the quality of a linkage: its minimum sine of the transmission angle over the poses.
+///
+/// The quality is lower for disproportionate lengths, and for a crank that has to turn back. It is
+/// 0 if the assembly changes, since a mechanism cannot change it.
 pub(super) fn quality(linkage: &Proposal) -> f64 {
     let sines = linkage
         .places
@@ -135,7 +140,7 @@ pub(super) fn quality(linkage: &Proposal) -> f64 {
         least = least.min(sine);
         most = most.max(sine);
     }
-    // One of them has the wrong sign, or both are nought.
+    // One of them has the opposite sign, or both are zero.
     if !(least * most > 0.0) {
         return 0.0;
     }
@@ -144,8 +149,8 @@ pub(super) fn quality(linkage: &Proposal) -> f64 {
     transmission * order / (linkage.ratio() / RATIO).max(1.0)
 }
 
-/// The sine of the angle from coupler to rocker, or the cosine of that from slide to coupler: its sign is that of the
-/// assembly.
+/// Returns the sine of the angle from coupler to rocker, or the cosine of the angle from slide to
+/// coupler, signed like the assembly.
 fn transmission([b, c]: [Vec2; 2], partner: Partner) -> f64 {
     let coupler = b - c;
     match partner {
@@ -154,7 +159,7 @@ fn transmission([b, c]: [Vec2; 2], partner: Partner) -> f64 {
     }
 }
 
-/// Whether the crank comes to the poses in their order, turning one way and once at most.
+/// Returns `true` if the crank reaches the poses in their order, turning one way and at most once.
 fn is_ordered(linkage: &Proposal) -> bool {
     let turns = linkage.places.windows(2).map(|pair| {
         let [from, to] = [pair[0][0], pair[1][0]].map(|pin| pin - linkage.pivot);

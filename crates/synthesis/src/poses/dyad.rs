@@ -1,16 +1,17 @@
-//! The equation of a dyad, and what is made of its solutions.
+//! The equation of a dyad, and the conversion of its solutions.
 //!
-//! Pose j puts the pin w of the body at `B_j = d_j + e_j w`, with e_j the unit vector of its angle, as complex numbers.
-//! A link on the pivot a keeps `|B_j - a|`:
+//! Pose j puts the pin w of the body at `B_j = d_j + e_j w`, with e_j the unit vector of its angle,
+//! as complex numbers. A link on the pivot a keeps `|B_j - a|` constant:
 //!
 //! ```text
 //! 1/2 |d_j|^2 + Re(conj(d_j) e_j w) - Re(conj(d_j) a) - Re(conj(e_j w) a) = k,    the same k for all j
 //! ```
 //!
-//! (McCarthy and Soh, Geometric Design of Linkages, 2nd ed. 2011, chapter 5; Sandor and Erdman, Advanced Mechanism
-//! Design, 1984, chapter 3.) With homogeneous coordinates of the pin `(x, y, w)` and of the pivot `(X, Y, W)` every
-//! difference of two of them is a bilinear [`Form`](form::Form): n poses give n - 1. A pivot at infinity is the normal of a slide, so
-//! that slides are no case of their own.
+//! (McCarthy and Soh, Geometric Design of Linkages, 2nd ed. 2011, chapter 5; Sandor and Erdman,
+//! Advanced Mechanism Design, 1984, chapter 3.) With homogeneous coordinates of the pin `(x, y, w)`
+//! and of the pivot `(X, Y, W)`, every difference of two of them is a bilinear
+//! [`Form`](form::Form): n poses give n - 1. A pivot at infinity is the normal of a slide, so that
+//! slides need no separate equations.
 
 use super::form;
 use super::guidance::Guidance;
@@ -18,16 +19,16 @@ use super::space::{self, Triple};
 use crate::{Partner, PosedDyad};
 use kinematics::{Double, Vec2};
 
-/// What a pin may miss its circle or its line by, as a part of the size.
+/// Maximum distance of a pin from its circle or its line, relative to the size.
 const MISS: f64 = 1e-9;
-/// Pins, or pivots, that are nearer to each other than this part of the size are one: poses rounded to doubles
-/// split a double root by the root of their rounding.
+/// Pins or pivots closer to each other than this part of the size coincide. Poses rounded to
+/// doubles split a double root by the square root of their rounding error.
 const ONE: f64 = 1e-7;
-/// Pins further out than so many sizes are at infinity; and a pivot that is may be the slide that it looks like.
+/// Distance in sizes beyond which a pin is at infinity, and beyond which a pivot may be a slide.
 const FAR: f64 = 1e6;
-/// A direction nearer to the x axis than these degrees is its own.
+/// Angle to the x axis, in degrees, below which a direction is parallel to it.
 const LEVEL: f64 = 1e-14;
-/// A pin of the body and what can hold it in all poses.
+/// A pin of the body with its partner, which holds it in all poses.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct PinHeld {
     /// The pivot or the slide.
@@ -39,7 +40,7 @@ pub(super) struct PinHeld {
 }
 
 impl PinHeld {
-    /// The same as others see it.
+    /// Converts to the public type.
     pub(super) fn dyad(&self) -> Option<PosedDyad> {
         let pin = *self.places.first()?;
         Some(PosedDyad { held: self.by, pin })
@@ -47,7 +48,8 @@ impl PinHeld {
 }
 
 impl Guidance {
-    /// Whether a solution of the equations is none of a linkage: the pin is at infinity, stands still, or is its pivot.
+    /// Returns `true` if a solution of the equations does not give a link: the pin is at infinity,
+    /// does not move, or coincides with its pivot.
     pub(super) fn is_nothing(&self, pin: Triple, pivot: Triple) -> bool {
         let Some(places) = self.pin(pin).and_then(|pin| self.places(pin)) else {
             return true;
@@ -58,8 +60,8 @@ impl Guidance {
         places.first().is_some_and(is_short)
     }
 
-    /// The pin that a pivot of the ground can hold; the only one, where there are three poses or more that say different
-    /// things.
+    /// Returns the dyad of a ground pivot. It is unique if at least two equations are independent.
+    /// Returns `None` if no pin keeps its distance from the pivot.
     pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<PinHeld> {
         let place = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
@@ -74,7 +76,7 @@ impl Guidance {
         is_held.then(|| self.with(by, pin, &places))
     }
 
-    /// What can hold a pin that is given in the body's frame.
+    /// Returns the dyad of a pin given in the body's frame; `None` if no pivot or slide holds it.
     pub(super) fn on_pin(&self, pin: Vec2) -> Option<PinHeld> {
         let place = (pin - self.quietest).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
@@ -85,8 +87,8 @@ impl Guidance {
         self.held(pin, space::kernel(&rows)?)
     }
 
-    /// The dyad of a solution of the equations; none where the pin or its link is at infinity, is nothing, or does not
-    /// come through the poses.
+    /// Returns the dyad of a solution of the equations. Returns `None` if the pin is at infinity,
+    /// if pin or link degenerates, or if the dyad does not pass through the poses.
     pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<PinHeld> {
         self.held(self.pin(pin)?, pivot)
     }
@@ -98,7 +100,7 @@ impl Guidance {
         (is_near && pin.nearest().is_finite()).then(|| self.plain(pin))
     }
 
-    /// In doubles, without what is left of a nought where coordinates of the size are rounded.
+    /// Rounds to doubles; coordinates below the rounding error of the size become zero.
     pub(super) fn plain(&self, place: Vec2<Double>) -> Vec2 {
         let least = f64::EPSILON * self.size;
         place
@@ -106,7 +108,8 @@ impl Guidance {
             .map(|v| if v.abs() < least { 0.0 } else { v })
     }
 
-    /// Where a pin is at every pose; none where it stands still, since then anything holds it.
+    /// Returns the pin's position at every pose; `None` if it does not move, since anything holds
+    /// it then.
     fn places(&self, pin: Vec2) -> Option<Vec<Vec2<Double>>> {
         let place = |[at, turn]: &[Vec2<Double>; 2]| *at + pin.exactly().turned(*turn);
         let places: Vec<Vec2<Double>> = self.poses.iter().map(place).collect();
@@ -128,7 +131,7 @@ impl Guidance {
         PinHeld { by, pin, places }
     }
 
-    /// A dyad that was found before; none where the pin stands still.
+    /// Returns the full dyad of a posed one; `None` if the pin does not move.
     pub(super) fn known(&self, dyad: &PosedDyad) -> Option<PinHeld> {
         let [at, turn] = *self.poses.first()?;
         let pin = (dyad.pin.exactly() - at).turned(turn.conj()).nearest();
@@ -136,7 +139,7 @@ impl Guidance {
         Some(self.with(dyad.held, pin, &places))
     }
 
-    /// Whether two dyads differ by rounding alone.
+    /// Returns `true` if two dyads differ only by rounding.
     pub(super) fn is_same(&self, a: &PinHeld, b: &PinHeld) -> bool {
         let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;
         let is_held_alike = match (a.by, b.by) {
@@ -144,7 +147,7 @@ impl Guidance {
                 let length = a.places.first().map_or(0.0, |at| (*at - p).norm());
                 near(p, q, self.size.max(length))
             }
-            // A pin has one line at most.
+            // A pin has at most one line.
             (Partner::Slide(_), Partner::Slide(_)) => true,
             (Partner::Rocker(_), Partner::Slide(_)) | (Partner::Slide(_), Partner::Rocker(_)) => {
                 false
@@ -153,11 +156,11 @@ impl Guidance {
         is_held_alike && near(a.pin, b.pin, self.size)
     }
 
-    /// A slide, where the pivot is far and the places are on a line.
+    /// Returns a slide if the pivot is far away and the pin's positions are on a line.
     fn slide(&self, places: &[Vec2<Double>], pivot: Triple) -> Option<Partner> {
         let [x, y, w] = pivot;
         let is_far = w.hi.abs() * FAR * (self.size / self.unit) <= x.hi.hypot(y.hi);
-        // Seen from the first place: a pivot that is not at infinity sees its circle's tangent there.
+        // Relative to the first position: for a finite pivot this gives its circle's tangent there.
         let first = (*places.first()? - self.middle.exactly()).scaled(1.0 / self.unit);
         let normal = Vec2::new(x, y) - first * w;
         let normal = normal / normal.norm();
@@ -179,7 +182,7 @@ impl Guidance {
             .then_some(Partner::Rocker(pivot))
     }
 
-    /// Whether all places are as far from a pivot, and not on it.
+    /// Returns `true` if all positions have the same nonzero distance from a pivot.
     fn keeps_distance(&self, places: &[Vec2<Double>], pivot: Vec2) -> bool {
         let distances = places.iter().map(|at| (*at - pivot.exactly()).norm());
         let distances: Vec<Double> = distances.collect();

@@ -1,8 +1,9 @@
-//! Five poses that any number of dyads lead through, though they say four different things: a trammel's, whose slides are
-//! any pins of a circle.
+//! Five poses with a continuous family of dyads although four equations are independent: those of a
+//! trammel, whose slides may have any pins of a circle.
 //!
-//! All of them solve any three of the four equations, and are on the curve of these. What is a part of that curve solves
-//! the fourth along it; what is not, where the fourth changes its sign.
+//! All dyads of the family solve any three of the four equations and are on the curve of these
+//! three. A part of the family along this curve also solves the fourth equation. Isolated dyads are
+//! where the fourth equation changes its sign along the curve.
 
 use super::dyad::PinHeld;
 use super::form::{self, Form};
@@ -11,10 +12,12 @@ use super::space;
 use super::trace::CurveSpot;
 use super::{five, four};
 
-/// A fourth equation below this, where all coordinates are of size one, holds but for rounding: its sign says nothing.
+/// Absolute value of the fourth equation, with coordinates of size one, below which it holds up to
+/// rounding and its sign means nothing.
 const HOLDS: f64 = 1e-10;
 
-/// The dyads in the order of their curve, each single one as a piece of its own; none where the equations are not four.
+/// Returns the dyads in the order of their curve, each isolated one as its own piece. The result is
+/// empty unless there are four equations.
 pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     let Ok(forms) = <&[Form; 4]>::try_from(guidance.forms.as_slice()) else {
         return Vec::new();
@@ -50,7 +53,7 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<PinHeld>> {
     pieces
 }
 
-/// Negative where the coordinates of one of two neighbours have the other sign.
+/// Returns a negative number if the coordinates of one of two neighbours have the opposite sign.
 fn turn(a: &CurveSpot, b: &CurveSpot) -> f64 {
     (space::dot(a.pin, b.pin) * space::dot(a.pivot, b.pivot)).hi
 }

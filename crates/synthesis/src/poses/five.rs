@@ -1,12 +1,14 @@
-//! Five poses: all dyads, at most four.
+//! Five poses: finds all dyads, at most four.
 //!
-//! Four bilinear equations are a matrix of four rows, linear in the pin, times the pivot: a pin has a pivot where the rank
-//! falls to two, so that all four determinants of three rows vanish. At a given y these are four cubics in x, and four
-//! cubics have a root in common only where the determinant of their coefficients is nought. That is a polynomial of y of
-//! degree six, of which the two circular points at infinity, common to all, take two: a quartic, as Burmester had it
+//! Four bilinear equations are a matrix of four rows, linear in the pin, times the pivot. A pin has
+//! a pivot if the rank is two, so that all four determinants of three rows vanish. At a given y
+//! these are four cubics in x, which have a common root only if the determinant of their
+//! coefficients is zero. This determinant is a polynomial of degree six in y. The two circular
+//! points at infinity, common to all cubics, reduce it to a quartic, as in Burmester's theory
 //! (Bottema and Roth, Theoretical Kinematics, 1979, chapter 8). Slides are among its roots.
 //!
-//! All in twice the digits: in doubles, nearly repeated poses would leave no digit of the quartic.
+//! All computations use double-double numbers: with doubles, nearly repeated poses would leave no
+//! digit of the quartic.
 
 use super::dyad::PinHeld;
 use super::form::{self, Form};
@@ -15,25 +17,28 @@ use super::polynomial::{self, PlaneCubic};
 use super::space::{self, Triple};
 use kinematics::{Double, Vec2};
 
-/// Directions of the body's x axis, in degrees, in which the quartic is set up. Pins that are level in one are told apart
-/// in the next: one would be missed only if it were level with the three others in just these.
+/// Directions of the body's x axis, in degrees, in which the quartic is set up. Pins with equal y
+/// in one direction differ in the next. A pin would be missed only if it had the same y as one of
+/// the three others in each direction.
 const DIRECTIONS: [f64; 3] = [17.0, 71.0, 139.0];
-/// How far a pin is looked for, in units of the equations.
+/// Maximum distance of a pin, in units of the equations.
 const FAR: f64 = 4e6;
-/// A quartic with less than this, where its cubics were of size one, is what is left of nought in twice the digits.
+/// A quartic whose coefficients are below this limit, for cubics of size one, is zero up to
+/// double-double rounding.
 const ROUNDING: f64 = 1e-28;
-/// Newton's steps; from the quartic's roots two or three are enough, unless two dyads are about to be one.
+/// Maximum number of Newton steps. Two or three suffice from the quartic's roots, unless two dyads
+/// nearly coincide.
 const MOST_STEPS: usize = 40;
 
-/// The dyads of five poses.
+/// The dyads through five poses.
 pub(super) struct FoundDyads {
     pub found: Vec<PinHeld>,
-    /// Whether the quartic is more than what the rounding of the poses may make of nought, and every root of it is
-    /// accounted for: there are no others.
+    /// Whether these are all dyads: the quartic exceeds the rounding error of the poses, and every
+    /// root has a dyad or degenerates.
     pub are_all: bool,
 }
 
-/// All dyads through five poses; none where their equations are not four.
+/// Returns all dyads through five poses; `None` unless there are four equations.
 pub(super) fn dyads(guidance: &Guidance) -> Option<FoundDyads> {
     let forms: &[Form; 4] = guidance.forms.as_slice().try_into().ok()?;
     let mut all = FoundDyads {
@@ -64,23 +69,23 @@ pub(super) fn dyads(guidance: &Guidance) -> Option<FoundDyads> {
     Some(all)
 }
 
-/// What the levels of pins solve in one direction.
+/// The quartic for the y of the pins, in one direction.
 struct Quartic {
     cubics: [PlaneCubic; 4],
-    /// The least of them before they were of size one.
+    /// The size of the smallest cubic before scaling to size one.
     least: f64,
     coefficients: Vec<Double>,
 }
 
-/// A level at which a pin may be.
+/// A possible y of a pin.
 struct PinLevel {
     y: Double,
-    /// Whether the quartic is nought there, not only next to it.
+    /// Whether the quartic has a zero there, not only a small extremum.
     is_one: bool,
 }
 
 impl Quartic {
-    /// None where it is nought in twice the digits.
+    /// Sets up the quartic. Returns `None` if it is zero up to double-double rounding.
     fn new(forms: &[Form; 4]) -> Option<Quartic> {
         let columns = forms.map(|form| form::columns(&form));
         let without = |k: usize| {
@@ -98,12 +103,13 @@ impl Quartic {
         })
     }
 
-    /// What an error of the equations makes of a coefficient.
+    /// Returns the error of a coefficient that follows from an error of the equations.
     fn blur(&self, error: f64) -> f64 {
         error / self.least
     }
 
-    /// Whether it is more than what an error of the equations may make of nought; else there may be any number of dyads.
+    /// Returns `true` if the quartic exceeds the effect of an error of the equations. If not, there
+    /// may be a continuous family of dyads.
     fn is_more_than(&self, error: f64) -> bool {
         polynomial::largest(&self.coefficients) > self.blur(error)
     }
@@ -125,7 +131,7 @@ impl Quartic {
         crossed.chain(touched).collect()
     }
 
-    /// The pin at a level.
+    /// Returns the pin at a level.
     fn pin(&self, y: Double) -> Option<Triple> {
         Some([common_root(&self.cubics, y)?, y, Double::ONE])
     }
@@ -145,8 +151,8 @@ fn of_size_one(cubic: &PlaneCubic) -> PlaneCubic {
     }
 }
 
-/// The coefficients of `x^3, x^2, x, 1` at a level y have no other determinant: by the products of its first two columns
-/// and its last two, as polynomials of y.
+/// Computes the determinant of the coefficients of `x^3, x^2, x, 1` as a polynomial of y: by the
+/// products of minors of its first two columns and its last two.
 fn resultant(cubics: &[PlaneCubic; 4]) -> Vec<Double> {
     let coefficient = |row: usize, power: usize| &cubics[row][power][..=3 - power];
     let minor = |[a, b]: [usize; 2], [p, q]: [usize; 2]| {
@@ -167,12 +173,12 @@ fn resultant(cubics: &[PlaneCubic; 4]) -> Vec<Double> {
         let part = polynomial::product(&minor(top, [3, 2]), &minor(bottom, [1, 0]));
         sum = polynomial::plus(&sum, sign, &part);
     }
-    // The circular points take y^6 and y^5.
+    // The circular points eliminate y^6 and y^5.
     sum.truncate(5);
     sum
 }
 
-/// The x that all cubics have in common at a level y, from the three that differ most.
+/// Returns the common x of all cubics at a level y, from the three most independent ones.
 fn common_root(cubics: &[PlaneCubic; 4], y: Double) -> Option<Double> {
     let rows = cubics.map(|cubic| cubic.map(|c| polynomial::value(&c, y)));
     // Columns by rising powers of x; the product of three rows is orthogonal to them.
@@ -190,7 +196,7 @@ fn common_root(cubics: &[PlaneCubic; 4], y: Double) -> Option<Double> {
     let best = products
         .iter()
         .max_by(|a, b| space::largest(*a).total_cmp(&space::largest(*b)))?;
-    // (1, x, x^2, x^3), but for a factor: the larger two say more.
+    // The vector (1, x, x^2, x^3) up to a factor: the two larger entries give x more accurately.
     let x = if best[0].hi.abs() >= best[3].hi.abs() {
         best[1] / best[0]
     } else {
@@ -199,7 +205,8 @@ fn common_root(cubics: &[PlaneCubic; 4], y: Double) -> Option<Double> {
     x.hi.is_finite().then_some(x)
 }
 
-/// Newton's method on all four equations, for the pin's place and the pivot's two smaller coordinates.
+/// Improves a solution by Newton's method on all four equations, for the pin's coordinates and the
+/// pivot's two smaller ones. Returns pin and pivot.
 pub(super) fn refined(forms: &[Form; 4], pin: Triple) -> Option<(Triple, Triple)> {
     let mut pin = [pin[0] / pin[2], pin[1] / pin[2], Double::ONE];
     let mut pivot = space::kernel(&forms.map(|f| form::of_pin(&f, pin)))?;
@@ -217,7 +224,7 @@ pub(super) fn refined(forms: &[Form; 4], pin: Triple) -> Option<(Triple, Triple)
         };
         let extent = 1.0 + Vec2::new(pin[0], pin[1]).nearest().norm();
         let size = space::largest(&step) / extent;
-        // Rounding is all that is left, or the steps no longer fall.
+        // Only rounding remains, or the steps no longer decrease.
         if size < 1e-29 || (size < 1e-18 && size >= before) {
             break;
         }

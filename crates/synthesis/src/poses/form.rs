@@ -3,16 +3,17 @@
 use super::space::Triple;
 use kinematics::{Double, Vec2};
 
-/// `[i][k]` stands before the pin's coordinate i times the pivot's coordinate k.
+/// A bilinear form: `[i][k]` is the coefficient of the pin's coordinate i times the pivot's
+/// coordinate k.
 pub(super) type Form = [[Double; 3]; 3];
 
-/// An equation that says no more beside the others than so many times what the rounding of the poses may say, says
-/// nothing.
+/// Multiple of the poses' rounding error below which an equation's part independent of the others
+/// means nothing.
 const NOTHING: f64 = 8.0;
-/// What arithmetic in twice the digits leaves of nothing, as a part of the largest form.
+/// Double-double rounding error of a form, relative to the largest form.
 const ROUNDING: f64 = 1e-28;
 
-/// The equation of a dyad at a pose, but for its constant k: see [`super::dyad`].
+/// Returns the equation of a dyad at a pose, without its constant k: see [`super::dyad`].
 ///
 /// `Re(conj(d) e w) = Re(conj(f) w)` with `f = conj(e) d`.
 pub(super) fn of_pose(d: Vec2<Double>, e: Vec2<Double>) -> Form {
@@ -24,7 +25,7 @@ pub(super) fn of_pose(d: Vec2<Double>, e: Vec2<Double>) -> Form {
     ]
 }
 
-/// `a - factor b`.
+/// Returns `a - factor b`.
 pub(super) fn minus(a: &Form, b: &Form, factor: Double) -> Form {
     std::array::from_fn(|i| std::array::from_fn(|k| a[i][k] - factor * b[i][k]))
 }
@@ -34,9 +35,12 @@ fn product(a: &Form, b: &Form) -> Double {
     pairs.fold(Double::ZERO, |sum, (x, y)| sum + *x * *y)
 }
 
-/// Forms that say the same as these, of length one and orthogonal, those that say most first: poses that nearly repeat
-/// differ by little, and what they differ by counts as much as the rest. `error` is what the rounding of the poses may
-/// make of each; what it may make of the one that says least, of length one, comes second.
+/// Returns an orthonormal basis of the forms, largest first, and the relative error of its smallest
+/// member.
+///
+/// Poses that nearly repeat differ by little, and normalising gives these differences full weight.
+/// `error` is the effect of the poses' rounding on each form; the returned error is its effect on
+/// the smallest form after normalising.
 pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) {
     let mut found: Vec<Form> = Vec::with_capacity(forms.len());
     let length = |form: &Form| product(form, form).sqrt();
@@ -53,7 +57,7 @@ pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) 
         least = size.hi;
         let unit = form.map(|row| row.map(|c| c / size));
         for other in &mut forms {
-            // Twice: the first leaves what it rounds.
+            // Twice, since the first pass leaves its rounding error.
             for _ in 0..2 {
                 let part = product(other, &unit);
                 *other = minus(other, &unit, part);
@@ -64,7 +68,8 @@ pub(super) fn independent(mut forms: Vec<Form>, error: f64) -> (Vec<Form>, f64) 
     (found, error / least)
 }
 
-/// How much of these forms of length one is of moves: all but what is of turns.
+/// Returns the squared size of the translation part of these normalised forms: all coefficients
+/// except those of the rotation.
 pub(super) fn moving(forms: &[Form]) -> f64 {
     let part = |form: &Form| {
         let [[_, _, a], [_, _, b], [c, d, e]] = form.map(|row| row.map(|c| c.hi));
@@ -73,22 +78,22 @@ pub(super) fn moving(forms: &[Form]) -> f64 {
     forms.iter().map(part).sum()
 }
 
-/// With the pivot given: linear in the pin.
+/// Evaluates a form at a pivot, which gives a linear form of the pin.
 pub(super) fn of_pivot(form: &Form, pivot: Triple) -> Triple {
     form.map(|row| super::space::dot(row, pivot))
 }
 
-/// With the pin given: linear in the pivot.
+/// Evaluates a form at a pin, which gives a linear form of the pivot.
 pub(super) fn of_pin(form: &Form, pin: Triple) -> Triple {
     std::array::from_fn(|k| pin[0] * form[0][k] + pin[1] * form[1][k] + pin[2] * form[2][k])
 }
 
-/// The column of the pivot's coordinate k: a linear form of the pin.
+/// Returns the columns of the pivot's coordinates, each a linear form of the pin.
 pub(super) fn columns(form: &Form) -> [Triple; 3] {
     std::array::from_fn(|k| [form[0][k], form[1][k], form[2][k]])
 }
 
-/// The form for pins in a frame with this direction as its x axis.
+/// Returns the form for pins in a frame with this direction as its x axis.
 pub(super) fn turned(form: &Form, direction: Vec2<Double>) -> Form {
     let (c, s) = (direction.x, direction.y);
     let [x, y, w] = *form;
@@ -99,7 +104,7 @@ pub(super) fn turned(form: &Form, direction: Vec2<Double>) -> Form {
     ]
 }
 
-/// A pin of that frame, as it is in the first.
+/// Converts a pin from that frame to the original one.
 pub(super) fn turned_back(pin: Triple, direction: Vec2<Double>) -> Triple {
     let place = Vec2::new(pin[0], pin[1]).turned(direction);
     [place.x, place.y, pin[2]]

@@ -1,17 +1,18 @@
-//! Four poses: the curve of all dyads, traced along its length, and the one slide on it.
+//! Four poses: traces the curve of all dyads along its length, with its single slide.
 //!
-//! Three bilinear equations are a matrix, linear in the pin, times the pivot: a pin has a pivot where the determinant is
-//! nought. That is a cubic through the two circular points at infinity, the circle-point curve; its pivots are the
-//! centre-point curve (Burmester, Lehrbuch der Kinematik, 1888; McCarthy and Soh, chapter 5). Besides the circular points
-//! it has one at infinity, known by linear equations. In a frame with its y axis that way,
+//! Three bilinear equations are a matrix, linear in the pin, times the pivot: a pin has a pivot if
+//! the determinant is zero. This is a cubic through the two circular points at infinity, the
+//! circle-point curve; its pivots form the centre-point curve (Burmester, Lehrbuch der Kinematik,
+//! 1888; McCarthy and Soh, chapter 5). Besides the circular points it has one point at infinity,
+//! which follows from linear equations. In a frame with its y axis in this direction,
 //!
 //! ```text
 //! F(x, y) = alpha(x) y^2 + beta(x) y + gamma(x),        D(x) = beta^2 - 4 alpha gamma, of degree four
 //! ```
 //!
-//! so that a piece of the curve stands over every interval with D >= 0 and nowhere else: no branch and no oval is missed,
-//! and none has to be searched. Over an interval `[l, u]` with `x = l + (u - l) cos^2(s / 2)` both roots y together are
-//! one smooth closed piece, s from 0 to 360 degrees.
+//! so that a piece of the curve covers every interval with D >= 0, and no others. Every branch and
+//! every oval is therefore found without a search. Over an interval `[l, u]` with `x = l + (u - l)
+//! cos^2(s / 2)`, both roots y together are one smooth closed piece, s from 0 to 360 degrees.
 
 use super::dyad::PinHeld;
 use super::form::{self, Form};
@@ -21,15 +22,18 @@ use super::space::{self, Triple};
 use super::trace::{self, CurveSpot, Piece};
 use kinematics::{Double, Vec2};
 
-/// How far the curve is followed where it is no cubic and goes on without an end, in units of the equations.
+/// Extent to which an unbounded curve that is not a cubic is followed, in units of the equations.
 const FAR: f64 = 1e3;
-/// Beyond the roots of D of a cubic, in the same units.
+/// Range for the roots of D of a cubic, in units of the equations.
 const FARTHEST: f64 = 1e9;
-/// Coefficients below this are rounding, where all equations have length one.
+/// Coefficients below this limit are rounding errors, for equations of length one.
 const NOUGHT: f64 = 1e-12;
 
-/// The curve in pieces: each ends where the pin or the pivot passes through infinity, or where it began. A slide stands
-/// where the pivot does. None unless the equations are three, and where every pin has a pivot.
+/// Returns the pieces of the curve. Each ends where the pin or the pivot passes through infinity,
+/// or where it began.
+///
+/// A slide is added where the pivot passes through infinity. The result is empty unless there are
+/// three equations, or if every pin has a pivot.
 pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     let Ok(forms) = guidance.forms.as_slice().try_into() else {
         return Vec::new();
@@ -50,7 +54,8 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
     pieces
 }
 
-/// The solutions of three equations, along their curve as it is seen with these offsets of pins and pivots.
+/// Traces the solutions of three equations along their curve, for these drawing offsets of pins and
+/// pivots.
 pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece> {
     let Some(curve) = PinCurve::new(*forms, offsets) else {
         return Vec::new();
@@ -59,10 +64,11 @@ pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece
     curve.runs().iter().flat_map(pieces).collect()
 }
 
-/// The one pin whose four places are on a line. The determinant of the equations with a normal `(X, Y, 0)` for the pivot
-/// is `(X^2 + Y^2) (p X + q Y)`: its values along both axes are p and q.
+/// Returns the single slide: the pin whose four positions are on a line. The determinant of the
+/// equations with a normal `(X, Y, 0)` for the pivot is `(X^2 + Y^2) (p X + q Y)`: its values along
+/// both axes are p and q.
 ///
-/// None unless the equations are three.
+/// Returns `None` unless there are three equations.
 pub(super) fn slide(guidance: &Guidance) -> Option<PinHeld> {
     let forms: &[Form; 3] = guidance.forms.as_slice().try_into().ok()?;
     let rows = |normal: Triple| forms.map(|f| form::of_pivot(&f, normal));
@@ -76,7 +82,7 @@ pub(super) fn slide(guidance: &Guidance) -> Option<PinHeld> {
     guidance.dyad(space::kernel(&rows(normal))?, normal)
 }
 
-/// The circle-point curve in a frame with its real point at infinity in the direction of y.
+/// The circle-point curve, in a frame with its real point at infinity in the direction of y.
 struct PinCurve {
     forms: [Form; 3],
     offsets: [Vec2<Double>; 2],
@@ -87,14 +93,15 @@ struct PinCurve {
     beta: Vec<Double>,
     gamma: Vec<Double>,
     discriminant: Vec<Double>,
-    /// The x of a line that is a part of the curve: the rest is no cubic then.
+    /// The x of a line contained in the curve; the rest is not a cubic then.
     line: Option<Double>,
     is_cubic: bool,
 }
 
-/// An interval of x, or a line, that a part of the curve stands over.
+/// An interval of x covered by a part of the curve, or a line.
 pub(super) enum Run {
-    /// Both roots, from the first x to the second and back; open at either end where the curve goes on.
+    /// Both roots, from the first x to the second and back; open at an end beyond which the curve
+    /// continues.
     Over {
         low: Double,
         high: Double,
@@ -105,7 +112,7 @@ pub(super) enum Run {
 }
 
 impl PinCurve {
-    /// None where every pin has a pivot.
+    /// Sets up the curve. Returns `None` if every pin has a pivot.
     fn new(forms: [Form; 3], offsets: [Vec2<Double>; 2]) -> Option<PinCurve> {
         // With a pin at infinity the determinant is (x^2 + y^2) (p x + q y).
         let far = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];
@@ -144,7 +151,8 @@ impl PinCurve {
         Some(curve)
     }
 
-    /// A cubic with a line in it is that line, in the direction of its real point at infinity, and a circle.
+    /// Splits a cubic that contains a line into this line, in the direction of its real point at
+    /// infinity, and a circle.
     fn split_off_line(&mut self) {
         if !self.is_cubic || !(self.alpha[1].hi.abs() > NOUGHT) {
             return;
@@ -162,7 +170,7 @@ impl PinCurve {
         }
     }
 
-    /// The intervals on which D is not negative, single places among them, and the line.
+    /// Returns the intervals with D >= 0, including single points, and the line.
     fn runs(&self) -> Vec<Run> {
         let within = if self.is_cubic { FARTHEST } else { FAR };
         let roots = polynomial::real_roots(&self.discriminant, within);
@@ -191,13 +199,13 @@ impl PinCurve {
         runs
     }
 
-    /// Pin and pivot at s degrees of a run.
+    /// Returns pin and pivot at s degrees of a run.
     fn spot(&self, run: &Run, s: f64) -> Option<CurveSpot> {
         let half = Double::unit(0.5 * s);
         let pin = match *run {
             Run::Line(x) => [x * half.x, half.y, half.x],
             Run::Over { low, high, .. } => {
-                // From the nearer end, whose distance D hangs on.
+                // Measured from the nearer end, since D depends on the distance to it.
                 let x = if half.x.hi.abs() < half.y.hi.abs() {
                     low + (high - low) * half.x * half.x
                 } else {
@@ -215,8 +223,8 @@ impl PinCurve {
         Some(CurveSpot { pin, pivot, seen })
     }
 
-    /// The y at an x, as a ratio: the root with the positive square root of D, or the other one, either without
-    /// cancelling.
+    /// Returns the y at an x as a ratio: the root with the positive square root of D, or the other
+    /// one, both without cancellation.
     fn root(&self, x: Double, is_upper: bool) -> Option<(Double, Double)> {
         let at = |p: &[Double]| polynomial::value(p, x);
         let (alpha, beta, gamma) = (at(&self.alpha), at(&self.beta), at(&self.gamma));
@@ -241,7 +249,8 @@ impl PinCurve {
     }
 }
 
-/// A cubic by powers of y. Where its highest terms are rounding it is a conic, times the line at infinity.
+/// Returns a cubic by powers of y. If its highest terms are rounding errors, it is a conic times
+/// the line at infinity.
 fn in_y(cubic: &PlaneCubic, is_cubic: bool) -> [Vec<Double>; 3] {
     let degree = if is_cubic { 3 } else { 2 };
     [2, 1, 0].map(|y| (0..=degree - y).map(|x| cubic[x][y]).collect())

@@ -1,4 +1,4 @@
-//! What dyads there are, where none is given.
+//! Finds the dyads if none is given.
 
 use super::dyad::PinHeld;
 use super::guidance::Guidance;
@@ -7,29 +7,29 @@ use crate::{OpenReason, Partner, PoseTask, PosedDyad};
 use kinematics::Vec2;
 use std::ops::RangeInclusive;
 
-/// Linkages that are proposed of a grid, and of a curve.
+/// Maximum number of linkages proposed from a grid, and from a curve.
 const MOST_OF_GRID: usize = 100;
 const MOST_OF_CURVE: usize = 200;
-/// Dyads of a curve that linkages are made of.
+/// Maximum number of a curve's dyads used for linkages.
 const DYADS_OF_CURVE: usize = 96;
-/// Where there are any number, no linkage is made of pins and pivots further away than this many sizes, and of links
-/// shorter or longer than these.
+/// Limits for a continuous family of dyads, in sizes: the maximum distance of pins and pivots, and
+/// the range of the links' lengths.
 const REACH: f64 = 6.0;
 const LENGTHS: RangeInclusive<f64> = 0.03..=12.0;
-/// How many times as far the wide reach goes, and how many times the lengths are out of proportion.
+/// Factor of the wide reach on distances and on the range of lengths.
 const WIDE: f64 = 4.0;
 
-/// How far away what is proposed may be, where there is any number of it.
+/// Distance limit for proposals from a continuous family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum PoseReach {
-    /// By how far the poses are apart.
+    /// A distance in proportion to the distance between the poses.
     Usual,
-    /// Some times as far, by where the pivots and pins of poses that nearly repeat lie.
+    /// A multiple of it, depending on where the pivots and pins of nearly repeated poses lie.
     Wide,
 }
 
 impl PoseReach {
-    /// As a multiple of the usual one.
+    /// Returns the factor relative to the usual reach.
     pub(super) fn times(self, guidance: &Guidance) -> f64 {
         match self {
             PoseReach::Usual => 1.0,
@@ -38,27 +38,27 @@ impl PoseReach {
     }
 }
 
-/// What there is.
+/// The available dyads.
 pub(super) struct Free {
-    /// Those of five poses, each by itself.
+    /// The isolated dyads of five poses.
     pub single: Vec<PinHeld>,
-    /// Where there are others in any number, or may be.
+    /// A selection if there are, or may be, infinitely many other dyads.
     pub choice: Option<DyadChoice>,
-    /// Why it is open whether there are others, where that is not for their number.
+    /// The reason why other dyads may exist, apart from a continuous family.
     pub reason: Option<OpenReason>,
-    /// The curve that these are on, if they are on one.
+    /// The curves of these dyads, if they are on curves.
     pub curves: Vec<Vec<PosedDyad>>,
 }
 
-/// Some of any number of dyads.
+/// A selection from infinitely many dyads.
 pub(super) struct DyadChoice {
     pub dyads: Vec<PinHeld>,
-    /// How many linkages of them are proposed.
+    /// Maximum number of linkages proposed from them.
     pub most: usize,
 }
 
 impl Free {
-    /// By how many equations the poses are: those that repeat what others say do not count.
+    /// Finds the dyads by the number of independent equations.
     pub(super) fn new(
         guidance: &Guidance,
         task: &PoseTask,
@@ -83,7 +83,8 @@ impl Free {
         pieces.extend(family::pieces(guidance));
         let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
         let curves = pieces.iter().map(seen).collect();
-        // A family is a curve; a few by themselves are what rounding leaves of one, or all that there is.
+        // A family is a curve; a few isolated dyads are all that exist, or all that rounding leaves
+        // of a family.
         let is_family = pieces.iter().any(|piece| piece.len() > 1);
         let reason = (!single.is_empty() && !is_family).then_some(OpenReason::Rounding);
         let choice = if pieces.is_empty() && single.is_empty() {
@@ -98,7 +99,7 @@ impl Free {
                 handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
             let mut dyads = thinned(&links);
             dyads.extend(thinned(&slides));
-            // The one slide of four poses stands alone on its curve, and may go further.
+            // The single slide of four poses is isolated on its curve and may lie further away.
             let slide =
                 four::slide(guidance).filter(|_| slides.is_empty() && task.poses.len() == 4);
             dyads.extend(slide.filter(|slide| handy_within(slide, WIDE * times)));
@@ -116,7 +117,7 @@ impl Free {
     }
 }
 
-/// As many as linkages are made of, evenly along the curve.
+/// Selects as many dyads as linkages use, evenly along the curve.
 fn thinned(dyads: &[PinHeld]) -> Vec<PinHeld> {
     let stride = dyads.len().div_ceil(DYADS_OF_CURVE).max(1);
     dyads.iter().step_by(stride).cloned().collect()
@@ -138,7 +139,7 @@ fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>, time
     let is_held_handily = match dyad.by {
         Partner::Rocker(pivot) => {
             let length = (pin - pivot).norm() / size;
-            // Of a box that is given one is as near as another.
+            // In a given box, the distance does not matter.
             let is_near = inside.is_some() || is_near(pivot);
             is_near && is_inside(pivot) && lengths.contains(&length)
         }

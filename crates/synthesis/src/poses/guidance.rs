@@ -1,4 +1,4 @@
-//! Poses and the equations of dyads through them, in the unit that suits both.
+//! Poses and the equations of dyads through them, in a unit that suits both.
 
 use super::form::{self, Form};
 use super::space;
@@ -7,40 +7,44 @@ use kinematics::arithmetic::U;
 use kinematics::{Double, Vec2, angle};
 use std::ops::RangeInclusive;
 
-/// A part of the number of poses that keeps the quietest point of a body that turns by rounding alone from being far
-/// away.
+/// Part of the number of poses that keeps the least-moved point near if the body rotates only by
+/// rounding.
 const RIDGE: f64 = 1e-20;
-/// The share of what the equations say that is of moves, where turns and moves count alike: five of seven coordinates.
+/// Translation part of the equations at which rotations and translations have equal weight: five of
+/// seven coordinates.
 const BALANCED: f64 = 5.0 / 7.0;
-/// Equations that say no more of moves than so many times what the rounding of the poses may say, are of turns alone.
+/// Multiple of the poses' rounding error below which the translation part is insignificant: the
+/// equations then describe rotations only.
 const NO_MOVE: f64 = 8.0;
-/// Coordinates, and differences of them, from the least to the greatest that are computed with: squares of squares of them
-/// are numbers.
+/// Range of supported coordinates and of their differences: squares of their squares stay finite
+/// and nonzero.
 const COORDINATES: RangeInclusive<f64> = 1e-70..=1e70;
-/// Doublings of the unit: turns that are smaller are rounding.
+/// Maximum number of doublings of the unit; smaller rotations are rounding errors.
 const MOST_DOUBLINGS: u8 = 50;
 
-/// Poses, and the equations of dyads through them: pivots from the middle, and pins counted from the point of the body that
-/// moves least.
+/// Poses and the equations of dyads through them. Pivots are relative to `middle`, and pins to the
+/// point of the body that moves least.
 pub(super) struct Guidance {
-    /// The origin and the unit vector of the x axis of each.
+    /// The origin and the unit vector of the x axis of each pose.
     pub(super) poses: Vec<[Vec2<Double>; 2]>,
-    /// A length: how far apart the poses are.
+    /// The distance between the poses, a length.
     pub(super) size: f64,
-    /// The length that the equations count in: a power of two from about the size on.
+    /// The unit of length of the equations: a power of two, of about the size or larger.
     pub(super) unit: f64,
-    /// A point of the ground that pivots are counted from.
+    /// The ground point to which pivots are relative.
     pub(super) middle: Vec2,
-    /// A point of the body, in its frame.
+    /// The body point to which pins are relative, in the body's frame.
     pub(super) quietest: Vec2,
-    /// The equations that say something, each of length one and orthogonal to the others; with five poses at most four.
+    /// The independent equations, each normalised and orthogonal to the others; at most four for
+    /// five poses.
     pub(super) forms: Vec<Form>,
-    /// What the rounding of the poses to doubles may make of them.
+    /// The effect on the equations of rounding the poses to doubles.
     pub(super) error: f64,
 }
 
 impl Guidance {
-    /// None where a pose is no number, or the poses have no size that can be computed in.
+    /// Sets up the equations. Returns `None` if a pose is not finite, or if the poses' size is
+    /// outside the supported range.
     pub(super) fn new(task: &PoseTask) -> Option<Guidance> {
         let poses: Vec<[Vec2<Double>; 2]> = task
             .poses
@@ -68,8 +72,10 @@ impl Guidance {
         Some(guidance)
     }
 
-    /// Sets up the equations in the unit in which turns and moves count alike: of poses that nearly repeat, the pins are
-    /// as many sizes away as the turns are small. Where moves in that unit are rounding, it stays the size.
+    /// Sets up the equations in the unit in which rotations and translations have equal weight.
+    ///
+    /// If poses nearly repeat, the distance of the pins in sizes is inversely proportional to the
+    /// rotations. If translations in that unit are rounding errors, the size remains the unit.
     fn balance(&mut self, task: &PoseTask) -> Option<()> {
         let first = self.unit;
         let (forms, error) = self.equations(task)?;
@@ -89,7 +95,7 @@ impl Guidance {
         Some(())
     }
 
-    /// Why no linkage leads through the poses, or none that was found.
+    /// Returns the reason why no linkage passes through the poses, or why none was found.
     pub(super) fn reason_for_none(&self, task: &PoseTask, is_complete: bool) -> OpenReason {
         let rounding = self.forms.len() as f64 * (NO_MOVE * self.error).powi(2);
         let first = task.poses.first().map_or(0.0, |pose| pose.angle);
@@ -105,15 +111,15 @@ impl Guidance {
         }
     }
 
-    /// The body's origin at the first pose.
+    /// Returns the body's origin at the first pose.
     pub(super) fn origin(&self) -> Vec2 {
         self.poses
             .first()
             .map_or(Vec2::ZERO, |[at, _]| at.nearest())
     }
 
-    /// The way from the body's origin to where pins are counted from, and from the middle of the poses to where pivots
-    /// are, in units of the equations.
+    /// Returns the vector from the body's origin to the origin of pins, and from the middle of the
+    /// poses to the origin of pivots, in units of the equations.
     pub(super) fn offsets(&self) -> [Vec2<Double>; 2] {
         let count = Double::exactly(self.poses.len() as f64);
         let origins = self.poses.iter().map(|[at, _]| *at / count);
@@ -122,7 +128,8 @@ impl Guidance {
             .map(|offset: Vec2<Double>| offset.scaled(1.0 / self.unit))
     }
 
-    /// With what the rounding of the poses may make of each.
+    /// Returns the independent equations and the effect of the poses' rounding on them; `None` if a
+    /// coefficient is not finite.
     fn equations(&self, task: &PoseTask) -> Option<(Vec<Form>, f64)> {
         let forms: Vec<Form> = self
             .poses
@@ -142,21 +149,22 @@ impl Guidance {
             .then(|| form::independent(differences, self.rounding(task)))
     }
 
-    /// What the rounding of the poses to doubles may make of the difference of two equations, before they are made
-    /// independent.
+    /// Returns the effect of rounding the poses to doubles on the difference of two equations,
+    /// before they are made independent.
     fn rounding(&self, task: &PoseTask) -> f64 {
         let (mut turn, mut place) = (0.0_f64, 0.0_f64);
         for pose in &task.poses {
             turn = turn.max(pose.angle.to_radians().abs());
             place = place.max(pose.at.norm());
         }
-        // The pin's places hang on both.
+        // The pin's positions depend on both.
         let place = (place + turn * self.quietest.norm()) / self.unit;
         4.0 * U * (turn + place)
     }
 }
 
-/// How far apart the origins are; where they all are one, how far away what is given is.
+/// Returns the maximum distance between the origins. If they all coincide, returns the maximum
+/// distance of a given pivot or pin, or 1.
 fn size(task: &PoseTask) -> f64 {
     let poses = &task.poses;
     let apart =
@@ -174,13 +182,13 @@ fn size(task: &PoseTask) -> f64 {
     if given > 0.0 { given } else { 1.0 }
 }
 
-/// A point c of the ground and a point w of the body with the least sum of `|d_j + e_j w - c|^2`; with it the equations
-/// depend neither on where the ground's origin is nor on where the body's is.
+/// Returns a ground point c and a body point w that minimise the sum of `|d_j + e_j w - c|^2`.
+/// Relative to them, the equations depend neither on the ground's origin nor on the body's.
 fn least_moved(task: &PoseTask) -> Option<(Vec2, Vec2)> {
     let count = task.poses.len() as f64;
     let turns = || task.poses.iter().map(|pose| angle::unit(pose.angle));
     let places = || task.poses.iter().map(|pose| pose.at);
-    // Each part by itself: the sum of coordinates may be no number.
+    // Each part is divided first, since the sum of coordinates may overflow.
     let mean_turn = turns().fold(Vec2::ZERO, |sum, e| sum + e / count);
     let mean = places().fold(Vec2::ZERO, |sum, d| sum + d / count);
     let (mut moved, mut spread) = (Vec2::ZERO, RIDGE * count);

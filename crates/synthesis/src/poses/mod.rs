@@ -1,7 +1,9 @@
-//! Rigid-body guidance: four-bars and slider-cranks that lead a body through three, four or five poses.
+//! Rigid-body guidance: finds four-bars and slider-cranks that guide a body through three, four or
+//! five poses.
 //!
-//! A linkage is two dyads, each a pin of the body with what holds it on the ground. What is found is what there is to
-//! find: with five poses every dyad, with four the curve of all of them, with three one for each pivot or pin.
+//! A linkage is two dyads, each a pin of the body with its partner on the ground. All dyads are
+//! found for five poses, and their whole curve for four. For three poses, there is one dyad for
+//! each pivot or pin.
 //!
 //! ```text
 //! space       homogeneous coordinates in twice the digits
@@ -40,14 +42,17 @@ pub(crate) use free::PoseReach;
 use guidance::Guidance;
 use kinematics::Vec2;
 
-/// Linkages through the poses of a task: four-bars, slider-cranks or both, with all pivots and pins that are given.
-/// `inside` are two opposite corners of a box in which free pivots are wished to be: those outside are left out where
-/// there are any number of them, and as those that are further away than `reach`.
+/// Proposes linkages through the poses of a task: four-bars, slider-cranks or both, with all given
+/// pivots and pins.
 ///
-/// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is how far apart the poses are.
-/// With five poses the linkages are complete, but where any number of dyads lead through them, or the rounding of the poses
-/// leaves that open; with three or four where two dyads are given, and else they are a choice. Each linkage stands once: [`swapped`](super::Proposal::swapped) drives it at the other
-/// pivot.
+/// `inside` are two opposite corners of a box preferred for free pivots. Dyads of a continuous
+/// family are left out if their pivots are outside it, or if they are further away than `reach`.
+///
+/// Every pin keeps its distance, or its line, at every pose to 1e-9 of the size, which is the
+/// distance between the poses. For five poses the linkages are complete, unless a continuous family
+/// of dyads exists or the rounding of the poses leaves this open. For three or four poses they are
+/// complete if two dyads are given; if not, they are a selection. Each linkage occurs once:
+/// [`swapped`](super::Proposal::swapped) drives it at the other pivot.
 pub(crate) fn propose(
     task: &PoseTask,
     four_bars: bool,
@@ -97,8 +102,8 @@ pub(crate) fn propose(
 }
 
 impl PoseTask {
-    /// Two dyads of its curves as a linkage, driven at the pivot that promises more; none where they share a pin or a
-    /// pivot, or are two slides.
+    /// Combines two dyads of the task's curves into a linkage, driven at the better pivot. Returns
+    /// `None` if they share a pin or a pivot, or are two slides.
     #[must_use]
     pub fn linkage(&self, dyads: [&PosedDyad; 2]) -> Option<Proposal> {
         let guidance = Guidance::new(self)?;
@@ -112,7 +117,8 @@ impl PoseTask {
     }
 }
 
-/// The dyads of the pivots and pins that are given; none where one of these cannot be led through the poses.
+/// Returns the dyads of the given pivots and pins; `None` if one of these cannot pass through the
+/// poses.
 fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<PinHeld>> {
     let of_pivots = task.pivots.iter().map(|&at| guidance.on_pivot(at));
     let of_pins = task.pins.iter().map(|&at| guidance.on_pin(at));

@@ -1,23 +1,24 @@
-//! Polynomials in twice the digits: of one variable their real roots, of two the determinants of linear forms.
+//! Double-double polynomials: real roots of univariate ones, and bivariate ones as determinants of
+//! linear forms.
 
 use super::space::Triple;
 use kinematics::Double;
 
-/// Steps of Newton or of halving after which a root is as good as it gets: halving alone has 106 bits by then.
+/// Maximum number of Newton or bisection steps for a root; bisection alone yields 106 bits by then.
 const MOST_STEPS: usize = 160;
-/// Below this part of itself a step changes nothing.
+/// Relative size of a step below which a root does not change.
 const LAST_STEP: f64 = 1e-31;
-/// A turn this near to nought, as a part of the sum of all terms, is handed out as a root that is touched: what comes of
-/// it is checked by the poses themselves, and dropped where there was none.
+/// An extremum with a value below this part of the sum of all terms' absolute values is returned as
+/// a touched root. The poses verify its solutions and reject false ones.
 const TOUCH: f64 = 1e-6;
 
-/// The value at `x`; coefficients by rising powers.
+/// Returns the value at `x`; the coefficients have rising powers.
 pub(super) fn value(coefficients: &[Double], x: Double) -> Double {
     let horner = |sum, c: &Double| sum * x + *c;
     coefficients.iter().rev().fold(Double::ZERO, horner)
 }
 
-/// The product.
+/// Returns the product.
 pub(super) fn product(a: &[Double], b: &[Double]) -> Vec<Double> {
     let mut all = vec![Double::ZERO; (a.len() + b.len()).saturating_sub(1)];
     for (i, x) in a.iter().enumerate() {
@@ -28,7 +29,7 @@ pub(super) fn product(a: &[Double], b: &[Double]) -> Vec<Double> {
     all
 }
 
-/// `a + factor b`.
+/// Returns `a + factor b`.
 pub(super) fn plus(a: &[Double], factor: f64, b: &[Double]) -> Vec<Double> {
     let at = |p: &[Double], k: usize| p.get(k).copied().unwrap_or_default();
     let factor = Double::exactly(factor);
@@ -36,7 +37,7 @@ pub(super) fn plus(a: &[Double], factor: f64, b: &[Double]) -> Vec<Double> {
     (0..a.len().max(b.len())).map(sum).collect()
 }
 
-/// The quotient by `x - root`; what remains is left out.
+/// Returns the quotient by `x - root`, without the remainder.
 pub(super) fn deflated(p: &[Double], root: Double) -> Vec<Double> {
     let mut carry = Double::ZERO;
     let mut quotient: Vec<Double> = p
@@ -52,22 +53,22 @@ pub(super) fn deflated(p: &[Double], root: Double) -> Vec<Double> {
     quotient
 }
 
-/// The largest coefficient.
+/// Returns the largest absolute value of the coefficients.
 pub(super) fn largest(p: &[Double]) -> f64 {
     p.iter().fold(0.0, |most, c| c.hi.abs().max(most))
 }
 
-/// Where a polynomial is nought.
+/// The real roots of a polynomial.
 #[derive(Default)]
 pub(super) struct RealRoots {
-    /// Where its sign changes, rising.
+    /// Sign changes, in ascending order.
     pub crossed: Vec<Double>,
-    /// Where it turns next to nought: double roots, and some that are none.
+    /// Extrema near zero: double roots, and some false ones.
     pub touched: Vec<Double>,
 }
 
-/// All real roots from `-within` to `within`: between two turns there is one at most, and the turns are the roots of the
-/// derivative.
+/// Returns all real roots from `-within` to `within`. Between two extrema, which are roots of the
+/// derivative, lies at most one root.
 pub(super) fn real_roots(p: &[Double], within: f64) -> RealRoots {
     let mut roots = RealRoots::default();
     if p.len() < 2 || !largest(p).is_finite() {
@@ -97,7 +98,8 @@ pub(super) fn real_roots(p: &[Double], within: f64) -> RealRoots {
     roots
 }
 
-/// The root between two places with different signs: Newton's steps, halving wherever they leave the bracket.
+/// Returns the root between two points with different signs, by Newton steps, with bisection if
+/// these leave the bracket. Returns `None` if the signs are equal.
 fn between(p: &[Double], slope: &[Double], low: Double, high: Double) -> Option<Double> {
     let half = Double::exactly(0.5);
     let (mut low, mut high) = (low, high);
@@ -134,10 +136,10 @@ fn between(p: &[Double], slope: &[Double], low: Double, high: Double) -> Option<
     Some(x)
 }
 
-/// A cubic polynomial of two variables: `[i][j]` stands before `x^i y^j`.
+/// A cubic polynomial of two variables: `[i][j]` is the coefficient of `x^i y^j`.
 pub(super) type PlaneCubic = [[Double; 4]; 4];
 
-/// The determinant of three rows of three linear forms `a x + b y + c` each.
+/// Returns the determinant of three rows of three linear forms `a x + b y + c` each.
 pub(super) fn determinant(rows: [&[Triple; 3]; 3]) -> PlaneCubic {
     const EVEN: [[usize; 3]; 3] = [[0, 1, 2], [1, 2, 0], [2, 0, 1]];
     let mut sum = PlaneCubic::default();
@@ -168,7 +170,7 @@ mod tests {
         values.iter().map(|&v| Double::exactly(v)).collect()
     }
 
-    /// Wilkinson's way to plant roots: the polynomial is made of them.
+    /// Returns the polynomial with these roots.
     fn planted(roots: &[f64]) -> Vec<Double> {
         let linear = |r: &f64| exact(&[-r, 1.0]);
         let one = exact(&[1.0]);
@@ -176,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn planted_roots_are_found_to_twice_the_digits() {
+    fn planted_roots_are_found_to_double_double_precision() {
         let roots = [-300.25, -1.5, -1.499_999_999, 0.0, 1e-7, 2.0];
         let found = real_roots(&planted(&roots), 1e6).crossed;
         assert_eq!(found.len(), roots.len());
@@ -187,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn a_double_root_is_touched_and_those_without_reals_have_none() {
+    fn double_root_is_touched_and_complex_roots_are_ignored() {
         let found = real_roots(&planted(&[3.0, 3.0, -1.0]), 1e6);
         assert_eq!(found.crossed.len() % 2, 1);
         assert!(found.touched.iter().any(|r| (r.hi - 3.0).abs() < 1e-14));
@@ -198,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_determinant_of_forms_is_the_determinant_of_their_values() {
+    fn determinant_of_forms_matches_determinant_of_values() {
         let number = |k: usize| Double::exactly(((k * 37 + 11) % 23) as f64 - 11.0);
         let row = |r: usize| -> [Triple; 3] {
             std::array::from_fn(|c| std::array::from_fn(|v| number(9 * r + 3 * c + v)))
@@ -213,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn a_root_is_divided_out() {
+    fn deflation_divides_out_root() {
         let p = planted(&[2.0, -1.0, 5.0]);
         assert_eq!(deflated(&p, Double::exactly(5.0)), planted(&[2.0, -1.0]));
     }

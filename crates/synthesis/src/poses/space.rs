@@ -1,11 +1,12 @@
-//! Homogeneous triples `(x, y, w)` in twice the digits: the point `(x, y) / w`, or where w is nought a direction.
+//! Double-double homogeneous coordinates `(x, y, w)`: the point `(x, y) / w`, or a direction if w
+//! is zero.
 
 use kinematics::{Double, Vec2};
 
-/// Three coordinates, of which only the ratios count.
+/// Three coordinates, defined up to a common factor.
 pub(super) type Triple = [Double; 3];
 
-/// Rows whose product is below this part of what it could be say the same.
+/// Rows are linearly dependent if their cross product is below this part of its possible size.
 const SAME_ROW: f64 = 1e-13;
 
 pub(super) fn point(at: Vec2<Double>) -> Triple {
@@ -28,12 +29,12 @@ pub(super) fn determinant(rows: [Triple; 3]) -> Double {
     dot(rows[0], cross(rows[1], rows[2]))
 }
 
-/// The largest coordinate.
+/// Returns the largest absolute value of the coordinates.
 pub(super) fn largest(a: &[Double]) -> f64 {
     a.iter().fold(0.0, |most, c| c.hi.abs().max(most))
 }
 
-/// The same with a largest coordinate from 1 to 2; none where it is nought or no number.
+/// Scales the largest coordinate to between 1 and 2; `None` if it is zero or not finite.
 pub(super) fn leveled(a: Triple) -> Option<Triple> {
     let most = largest(&a);
     let scale = 2.0_f64.powi(-exponent(most)?);
@@ -41,13 +42,15 @@ pub(super) fn leveled(a: Triple) -> Option<Triple> {
     leveled.iter().all(|c| c.hi.is_finite()).then_some(leveled)
 }
 
-/// The power of two at or below a positive number, if that and its inverse are numbers too.
+/// Returns the exponent of the largest power of two up to a positive number; `None` if this power
+/// or its inverse is out of range.
 pub(super) fn exponent(size: f64) -> Option<i32> {
     let power = size.log2().floor();
     (size > 0.0 && power.abs() < 1000.0).then_some(power as i32)
 }
 
-/// What all rows are nought on, from the two that differ most; none where all say the same.
+/// Returns the vector orthogonal to all rows, from the two most independent ones; `None` if all
+/// rows are dependent.
 pub(super) fn kernel(rows: &[Triple]) -> Option<Triple> {
     let most = rows.iter().map(|row| largest(row)).fold(0.0, f64::max);
     let mut best = (SAME_ROW * most * most, None);
@@ -63,7 +66,7 @@ pub(super) fn kernel(rows: &[Triple]) -> Option<Triple> {
     leveled(best.1?)
 }
 
-/// The solution of four linear equations by elimination with row exchanges; none where they are singular.
+/// Solves four linear equations by elimination with row exchanges; `None` if they are singular.
 pub(super) fn solved(mut rows: [[Double; 4]; 4], mut right: [Double; 4]) -> Option<[Double; 4]> {
     for k in 0..4 {
         let size = |row: &usize| rows[*row][k].hi.abs();
@@ -96,7 +99,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_kernel_is_orthogonal_to_all_rows() {
+    fn kernel_is_orthogonal_to_all_rows() {
         let exact = |v: [f64; 3]| v.map(Double::exactly);
         let rows = [[1.0, 2.0, 3.0], [1.0, 2.0, 3.0], [0.5, -1.0, 4.0]].map(exact);
         let kernel = kernel(&rows).unwrap();
@@ -106,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn four_equations_are_solved_and_singular_ones_are_not() {
+    fn solves_four_equations_and_rejects_singular_ones() {
         let entry = |i: usize, j: usize| Double::exactly(1.0 / (i + j + 1) as f64);
         let rows: [[Double; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)));
         let planted = [1.0, -2.0, 3.0, 0.5].map(Double::exactly);

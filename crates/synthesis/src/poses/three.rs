@@ -1,7 +1,8 @@
-//! Three poses: every pivot has a pin and every pin a pivot, each by two linear equations (the bisectors of its places);
-//! of slides there is one in every direction, and their pins are on a circle.
+//! Three poses: every pivot has a pin and every pin a pivot, each from two linear equations (the
+//! bisectors of its positions). In every direction there is one slide, and the pins of the slides
+//! are on a circle.
 //!
-//! What is free is taken from grids: a choice, not all that there is.
+//! Free values come from grids: the result is a selection.
 
 use super::dyad::PinHeld;
 use super::form;
@@ -10,16 +11,17 @@ use super::space;
 use crate::PoseTask;
 use kinematics::{Double, Vec2};
 
-/// Pivots along each side of the box that they are taken from, and pins along each side of theirs.
+/// Number of pivots along each side of their box, and number of pins along each side of theirs.
 const PIVOTS: u8 = 9;
 const PINS: u8 = 7;
-/// Half a side of these boxes, in sizes, where none is given.
+/// Half a side of these boxes, in sizes, if no box is given.
 const REACH: f64 = 1.25;
-/// Directions of slides in half a turn.
+/// Number of slide directions in half a turn.
 const DIRECTIONS: u8 = 24;
 
-/// Dyads on a grid of pivots, on a grid of pins, and of slides in all directions. `inside` are two opposite corners of a
-/// box in which pivots are wished to be; without it the grids are so many `times` as wide as usually.
+/// Returns dyads on a grid of pivots, on a grid of pins, and with slides in all directions.
+/// `inside` are two opposite corners of a box preferred for pivots; without it the grids are
+/// `times` as wide as usual.
 pub(super) fn dyads(
     guidance: &Guidance,
     task: &PoseTask,
@@ -38,7 +40,7 @@ pub(super) fn dyads(
     pivots.chain(pins).chain(slides(guidance)).collect()
 }
 
-/// The middles of the cells of a box.
+/// Returns the centres of the cells of a box.
 fn grid([low, high]: [Vec2; 2], side: u8) -> impl Iterator<Item = Vec2> {
     let part = move |k: u8| (f64::from(k) + 0.5) / f64::from(side);
     let size = high - low;
@@ -46,7 +48,7 @@ fn grid([low, high]: [Vec2; 2], side: u8) -> impl Iterator<Item = Vec2> {
     places.map(move |(x, y)| low + Vec2::new(x * size.x, y * size.y))
 }
 
-/// The circle of pins whose places are on a line, direction by direction.
+/// Returns the slides of the circle of pins with collinear positions, direction by direction.
 fn slides(guidance: &Guidance) -> impl Iterator<Item = PinHeld> {
     (0..DIRECTIONS).filter_map(|k| {
         let normal = Double::unit(180.0 * f64::from(k) / f64::from(DIRECTIONS));

@@ -1,20 +1,21 @@
-//! A run of a curve in spots that are as far apart, wherever it is fast or slow; in pieces, cut where it passes through
-//! infinity.
+//! Traces a run of a curve in equally spaced spots, independent of its parameter's speed, in pieces
+//! cut where it passes through infinity.
 
 use super::four::Run;
 use super::space::Triple;
 
-/// The angle, in radians, between neighbouring spots as directions in space, of the pin and of the pivot: near the
-/// middle this part of the size.
+/// Maximum angle between neighbouring spots as directions in space, in radians, for both pin and
+/// pivot. Near the middle this is a part of the size.
 const STEP: f64 = 0.03;
-/// Where a run is looked at first.
+/// Number of initial intervals of a run.
 const FIRST: u8 = 48;
-/// Halvings after which neighbours that are still far apart have something between them that is no curve.
+/// Maximum number of bisections. Neighbours that are still far apart then have a gap between them.
 const MOST_HALVINGS: u8 = 40;
-/// Spots of a run: far more than any curve has.
+/// Maximum number of spots of a run, far more than any curve needs.
 const MOST_SPOTS: usize = 6000;
 
-/// Below this, of coordinates of size one, the third is nought but for rounding.
+/// Absolute value of the third coordinate, with coordinates of size one, below which it is zero up
+/// to rounding.
 const INFINITE: f64 = 1e-12;
 
 /// A solution of the equations.
@@ -22,21 +23,23 @@ const INFINITE: f64 = 1e-12;
 pub(super) struct CurveSpot {
     pub pin: Triple,
     pub pivot: Triple,
-    /// Both as they are drawn: from the body's origin, and from the middle of the poses.
+    /// The drawn coordinates of both: relative to the body's origin, and to the middle of the
+    /// poses.
     pub seen: [Triple; 2],
 }
 
-/// Spots one behind the other, with nothing at infinity between them.
+/// Successive spots without a point at infinity between them.
 #[derive(Default)]
 pub(super) struct Piece {
     pub spots: Vec<CurveSpot>,
-    /// Whether the pivot comes from infinity.
+    /// Whether the pivot comes from infinity at the beginning.
     pub begins_at_slide: bool,
-    /// Whether it goes there.
+    /// Whether the pivot goes to infinity at the end.
     pub ends_at_slide: bool,
 }
 
-/// The pieces of a run: `spot` says what is at s degrees of it, for s from 0 to 360.
+/// Returns the pieces of a run: `spot` returns the solution at s degrees of it, for s from 0 to
+/// 360.
 pub(super) fn pieces(run: &Run, spot: impl Fn(f64) -> Option<CurveSpot>) -> Vec<Piece> {
     if let Run::Over { low, high, .. } = run
         && (low.hi, low.lo) == (high.hi, high.lo)
@@ -56,7 +59,8 @@ pub(super) fn pieces(run: &Run, spot: impl Fn(f64) -> Option<CurveSpot>) -> Vec<
     all
 }
 
-/// From where to where, in degrees: a run that is open at its upper end begins there, one at its lower end is two.
+/// Returns the parameter ranges of a run, in degrees. A run open at its upper end begins there; a
+/// run open at its lower end has two ranges.
 fn parts(run: &Run) -> Vec<[f64; 2]> {
     match run {
         Run::Over {
@@ -91,7 +95,7 @@ fn spots([from, to]: [f64; 2], spot: &impl Fn(f64) -> Option<CurveSpot>) -> Vec<
     all
 }
 
-/// What is behind `a` up to `b`. A gap stands for what could not be reached.
+/// Adds the spots after `a` up to `b`. `None` marks a gap that could not be reached.
 fn refine(
     a: (f64, Option<CurveSpot>),
     b: (f64, Option<CurveSpot>),
@@ -118,7 +122,7 @@ fn refine(
     }
 }
 
-/// The angle between two directions, of which the opposite is the same: its sine, which is small.
+/// Returns the angle between two directions, up to their sign, by its sine, which is small.
 fn angle(a: &Triple, b: &Triple) -> f64 {
     let [a, b] = [a, b].map(|v| v.map(|c| c.hi));
     let length = |v: [f64; 3]| v[0].hypot(v[1]).hypot(v[2]);
@@ -130,7 +134,8 @@ fn angle(a: &Triple, b: &Triple) -> f64 {
     length(product) / (length(a) * length(b))
 }
 
-/// Whether the way from one to the next, the shorter one, leads through infinity; not where it stays there.
+/// Returns `true` if the shorter path between two neighbours passes through infinity, but not if it
+/// stays there.
 fn passes_infinity(a: &Triple, b: &Triple) -> bool {
     let dot = (0..3).map(|k| a[k].hi * b[k].hi).sum::<f64>();
     let is_far = |v: &Triple| v[2].hi.abs() < INFINITE;
@@ -156,7 +161,7 @@ fn cut(spots: Vec<Option<CurveSpot>>, is_closed: bool) -> Vec<Piece> {
         }
         piece.spots.push(spot);
     }
-    // A closed run ends where it began: what was cut there only because it had to begin somewhere is one.
+    // A closed run ends where it began: pieces that are cut only by its arbitrary start are joined.
     match pieces.first_mut() {
         Some(first) if is_whole => {
             piece.spots.pop();

@@ -102,7 +102,7 @@ mod tests {
     use crate::ClampedSpline;
 
     #[test]
-    fn peaks_are_those_of_the_handbooks_and_nothing_on_the_way_is_larger() {
+    fn peaks_match_maxima_of_dense_sampling() {
         let knots = vec![[0.0, 0.0], [0.2, 40.0], [0.3, 35.0], [0.5, 120.0]];
         let steps = vec![
             TimedStep::Table(ClampedSpline::new(knots).unwrap()),
@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_constant_speed_jumps_where_it_begins_unless_it_goes_on() {
+    fn constant_speed_jumps_unless_it_continues() {
         let forth = vec![
             step(StepLaw::Harmonic, 90.0, 0.5),
             step(StepLaw::Constant, 0.0, 0.5),

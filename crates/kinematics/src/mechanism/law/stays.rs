@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coordinate_is_met_on_the_way_that_is_nearest() {
+    fn nearest_time_of_coordinate_is_found() {
         let law = forth_and_back();
         for (time, found) in [
             (0.0, 0.25),
@@ -189,7 +189,7 @@ mod tests {
         ] {
             near(law.nearest(60.0, time).unwrap(), found);
         }
-        // At rest it is where it stands, at an end it turns back.
+        // At rest the current time is returned; at an end the motion reverses.
         assert_eq!(law.nearest(120.0, 0.625), Some(0.625));
         assert_eq!(law.nearest(120.0, 0.1), Some(0.5));
         assert_eq!(law.nearest(0.0, 0.9), Some(1.0));
@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_passes_a_stop_does_so_at_a_time() {
+    fn leaving_limits_has_time_and_coordinate() {
         let law = forth_and_back();
         let [time, at] = law.leaves([-10.0, 60.0]).unwrap();
         near(time, 0.25);
@@ -211,7 +211,7 @@ mod tests {
             step(StepLaw::Constant, -30.0, 1.0),
             step(StepLaw::Constant, 0.0, 1.0),
         ];
-        // It only touches the one and passes the other: 90 to 0 of 120 in 1 s.
+        // The motion only touches one limit and passes the other: 90 to 0 of 120 in 1 s.
         let law = MotionLaw::new(0.0, down, false).unwrap();
         let [time, at] = law.leaves([0.0, 90.0]).unwrap();
         near(time, 1.75);
@@ -219,16 +219,17 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_that_goes_on_is_met_once() {
+    fn advancing_motion_meets_coordinate_once() {
         let law = MotionLaw::new(30.0, vec![step(StepLaw::Cycloidal, 390.0, 2.0)], true).unwrap();
         for (at, time) in [(30.0, 0.0), (210.0, 1.0), (930.0, 5.0), (-150.0, -1.0)] {
             near(law.nearest(at, 0.3).unwrap(), time);
         }
     }
 
-    /// Through (0.5, 30) between two coordinates of 20 it goes beyond them, and is at 25 on the way up and down.
+    /// Through (0.5, 30) the motion exceeds its end coordinates of 20, and is at 25 when rising and
+    /// when falling.
     #[test]
-    fn a_table_is_met_between_its_turns() {
+    fn table_meets_coordinate_on_either_side_of_peak() {
         let knots = vec![[0.0, 20.0], [0.5, 30.0], [0.6, 29.0], [1.0, 20.0]];
         let table = TimedStep::Table(ClampedSpline::new(knots).unwrap());
         let law = MotionLaw::new(20.0, vec![table], false).unwrap();

@@ -160,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn a_coordinate_is_meant_as_it_was_typed() {
+    fn coordinate_error_is_relative_to_typed_decimal() {
         for exact in [
             0.0,
             30.0,
@@ -172,7 +172,7 @@ mod tests {
             let most = if exact == 0.0 { 1e-300 } else { 0.0 };
             assert!(asked_radius::<false>(exact) <= most, "{exact}");
         }
-        // Off by 2.8421709430404007e-15 / 10, by hand.
+        // The error is 2.8421709430404007e-15 / 10, computed by hand.
         let off = asked_radius::<false>(39.3);
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
         assert_eq!(asked_radius::<false>(-39.3), off);
@@ -180,7 +180,7 @@ mod tests {
         let asked = AskedCoordinate::of::<false>(39.3);
         assert!(asked.rest > 2.84e-15 && asked.radius < 1e-29, "{asked:?}");
         assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
-        // 1e23 is no double, nor is the other; 1e22 is one.
+        // 1e23 is not representable as a double, and neither is the next value; 1e22 is.
         assert!(asked_radius::<false>(1e23) > 8e6);
         assert!(asked_radius::<false>(-1.234_567_890_123_45e17) >= 5.0);
         assert_eq!(asked_radius::<false>(1e22), 0.0);

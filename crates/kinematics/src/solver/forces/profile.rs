@@ -196,7 +196,7 @@ mod tests {
         ReadyProfile::new(&Profile::new(knots.to_vec()).unwrap(), turns)
     }
 
-    /// A cutting stroke from 80 to 120, and no other.
+    /// Creates a profile with a single cutting stroke from 80 to 120.
     fn stroke(is_named: bool) -> ReadyProfile {
         let knots = vec![[80.0, 0.0], [80.0, 3.0], [120.0, 5.0], [120.0, 0.0]];
         let profile = Profile::new(knots).unwrap();
@@ -211,7 +211,7 @@ mod tests {
     }
 
     #[test]
-    fn lines_between_knots_and_constants_beyond() {
+    fn profile_is_linear_between_knots_and_constant_beyond() {
         for (x, y) in [
             (-5.0, 1.0),
             (0.0, 1.0),
@@ -224,9 +224,9 @@ mod tests {
         }
     }
 
-    /// Knots far apart and close together: the line is that of a search from the beginning.
+    /// Knots far apart and close together: the segment equals that of a search from the beginning.
     #[test]
-    fn the_line_is_found_wherever_the_knots_are() {
+    fn segment_is_found_for_any_knot_spacing() {
         let knots = [
             [-3.0, 1.0],
             [0.0, 2.0],
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn a_ball_over_a_knot_holds_both_lines() {
+    fn ball_over_knot_contains_both_segments() {
         let ball = hill().value(Ball::new(10.0, 0.5));
         for x in [9.5, 9.75, 10.0, 10.25, 10.5] {
             let y: f64 = hill().value(x);
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn whole_turns_repeat_and_others_do_not() {
+    fn only_whole_turns_repeat() {
         let knots = [[0.0, 0.0], [90.0, 9.0], [360.0, 0.0]];
         let (turn, length) = (curve(&knots, true), curve(&knots, false));
         assert_eq!(turn.value(720.0 + 45.0), 4.5);
@@ -270,9 +270,9 @@ mod tests {
         assert_eq!(hill().value(380.0), 0.0);
     }
 
-    /// At the very coordinate the value is that behind the jump, in every arithmetic.
+    /// Exactly at the jump, the value is that behind it, in every arithmetic.
     #[test]
-    fn a_jump_belongs_to_what_lies_behind_it() {
+    fn value_at_jump_is_value_behind_it() {
         for (x, y) in [
             (-1e9, 0.0),
             (80.0_f64.next_down(), 0.0),
@@ -295,9 +295,9 @@ mod tests {
         assert!((stroke(true).value(below) - 5.0).abs() < 1e-14);
     }
 
-    /// What is measured may lie on either side.
+    /// A measured length may be on either side.
     #[test]
-    fn a_ball_over_a_jump_holds_both_sides() {
+    fn ball_over_jump_contains_both_sides() {
         for (mid, low, high) in [(80.0, 0.0, 3.0), (120.0, 0.0, 5.0)] {
             let ball = stroke(false).value(Ball::new(mid, 1e-9));
             assert!(
@@ -307,9 +307,9 @@ mod tests {
         }
     }
 
-    /// A coordinate whose decimal lies beside its double, on either side of it.
+    /// A coordinate whose decimal differs from its double, in either direction.
     #[test]
-    fn a_jump_at_a_decimal_is_at_its_double() {
+    fn jump_at_decimal_is_at_its_double() {
         for at in [0.1, 0.3, 80.1, 79.9] {
             let profile = Profile::new(vec![[at, 0.0], [at, 1.0]]).unwrap();
             let curve = ReadyProfile::over_driver(&profile, true);
@@ -322,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn jumps_repeat_with_the_turns() {
+    fn jumps_repeat_with_turns() {
         let knots = [[0.0, 1.0], [90.0, 1.0], [90.0, 0.0], [360.0, 0.0]];
         let curve = curve(&knots, true);
         for turn in [-720.0, 0.0, 3600.0] {
@@ -333,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn a_press_works_only_towards_its_end() {
+    fn press_acts_only_towards_its_end() {
         let curve = curve(&[[0.0, 200.0], [4.0, 100.0]], false);
         assert_eq!(curve.press(2.0, 1.0), 150.0);
         assert_eq!(curve.press(2.0, -1.0), 0.0);

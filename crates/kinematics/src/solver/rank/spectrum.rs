@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_planted_rank_is_found_and_what_hides_one_is_unclear() {
+    fn planted_rank_is_found_and_near_singularity_is_unclear() {
         for (m, n, rank) in [
             (1, 1, 1),
             (9, 9, 8),
@@ -247,15 +247,15 @@ mod tests {
         let of = |off, slack| Spectrum::of(&nearly(off), slack, 0.0).unwrap();
         assert_eq!((of(1e-17, 0.0).rank, of(1e-9, 0.0).rank), (1, 2));
         assert!(of(1e-13, 0.0).is_unclear && !of(1e-9, 0.0).is_unclear);
-        // What a drawing leaves out hides more.
+        // Rounded input coordinates hide larger deviations.
         assert_eq!(of(1e-5, 1e-4).rank, 1);
         let doubted = Spectrum::of(&nearly(1e-5), 0.0, 1e-4).unwrap();
         assert!(doubted.rank == 2 && doubted.is_unclear);
     }
 
     #[test]
-    fn what_is_set_aside_is_the_readiest_that_the_others_make_up_for() {
-        // The third row is the sum of the first two, the fourth stands alone.
+    fn readiest_dependent_row_is_set_aside() {
+        // The third row is a combination of the first two; the fourth is independent.
         let matrix = DMatrix::from_row_slice(
             4,
             3,
@@ -270,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn what_moves_freely_has_a_share_and_nothing_else() {
+    fn only_free_unknowns_have_share() {
         let matrix = DMatrix::from_row_slice(2, 4, &[1.0, -1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
         let shares = free_shares(&matrix, &[0, 1], 1e-8);
         let moves: Vec<bool> = shares.iter().map(|&share| share > 0.0).collect();

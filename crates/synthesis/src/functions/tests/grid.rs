@@ -1,4 +1,4 @@
-//! How many of a grid of usual tasks have a function generator that can be used, as a figure.
+//! Counts the tasks of a grid of common functions that have a usable function generator.
 
 use super::super::{FunctionRun, chebyshev_pairs};
 use super::propose;
@@ -52,11 +52,11 @@ const WISHES: [FunctionWish; 10] = [
         range: [0.0, 0.8],
     },
 ];
-/// Degrees over which crank and output swing, and where they begin.
+/// Swings of crank and output, and their initial angles, in degrees.
 const SWINGS: [[f64; 2]; 3] = [[60.0, 60.0], [90.0, 60.0], [120.0, 90.0]];
 const BEGINS: [[f64; 2]; 4] = [[30.0, 60.0], [45.0, 200.0], [90.0, 90.0], [120.0, 240.0]];
 
-/// A task of the grid with so many pairs at Chebyshev's zeros.
+/// Creates a task of the grid with `count` pairs at Chebyshev's zeros.
 fn task(
     wish: &FunctionWish,
     swing: [f64; 2],
@@ -86,7 +86,8 @@ fn task(
     }
 }
 
-/// One assembly through all pairs and all the way between the ends, with no length twenty times another.
+/// Returns `true` if one assembly passes through all pairs and closes over the whole range, with a
+/// length ratio below 20.
 fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal) -> bool {
     let (a, b, c) = proposal.lengths().unwrap();
     let lengths = [a, b, c.unwrap(), task.size];
@@ -103,7 +104,8 @@ fn is_serviceable(wish: &FunctionWish, task: &FunctionTask, proposal: &Proposal)
         && longest < 20.0 * shortest
 }
 
-/// Whether both links stand at their own angles, not opposite: what asks for positive ratios finds only these.
+/// Returns `true` if both links are at their own angles, not opposite. A method that requires
+/// positive ratios finds only these.
 fn is_positive(task: &FunctionTask, proposal: &Proposal) -> bool {
     let value = |given| match given {
         Given::Value(value) => value,
@@ -129,10 +131,11 @@ fn over_the_grid(mut look: impl FnMut(&FunctionWish, [f64; 2], [f64; 2])) {
     }
 }
 
-/// Three pairs and given datums have one four-bar. Measured: of 120 tasks so many are serviceable, and so many of them
-/// have positive ratios. What a program that refuses negative ones can find at all is little more than a third.
+/// Three pairs and given datums have one four-bar. Measured on 120 tasks: how many are serviceable,
+/// and how many of these have positive ratios. A program that rejects negative ratios finds little
+/// more than a third.
 #[test]
-fn negative_ratios_are_linkages_too() {
+fn negative_ratios_give_usable_linkages() {
     let (mut serviceable, mut positive) = (0, 0);
     over_the_grid(|wish, swing, begin| {
         let task = task(wish, swing, begin, 3, false);
@@ -148,9 +151,9 @@ fn negative_ratios_are_linkages_too() {
     assert_eq!(positive, 27);
 }
 
-/// With both datums free, five pairs: of 30 tasks so many have a serviceable four-bar.
+/// Five pairs with both datums free: measured on 30 tasks, how many have a serviceable four-bar.
 #[test]
-fn free_datums_serve_most_tasks() {
+fn free_datums_solve_most_tasks() {
     let (mut serviceable, mut errors) = (0, Vec::new());
     over_the_grid(|wish, swing, begin| {
         if begin != BEGINS[0] {
@@ -178,7 +181,7 @@ fn free_datums_serve_most_tasks() {
     });
     errors.sort_by(f64::total_cmp);
     assert!(serviceable >= 28, "{serviceable}");
-    // Degrees: the median of what is best for each task, and the worst.
+    // In degrees: the median over all tasks of the smallest error, and the largest.
     let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
     assert!(median < 0.08 && worst < 0.66, "{median} {worst}");
 }

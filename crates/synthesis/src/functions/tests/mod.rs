@@ -1,4 +1,4 @@
-//! PlantedFunction linkages are among what is found.
+//! Tests that the search finds linkages with a known solution.
 
 mod grid;
 mod search;
@@ -11,7 +11,8 @@ fn propose(task: &FunctionTask) -> Proposals {
     FunctionSearch { task, threads: 2 }.run(&mut |_| true)
 }
 
-/// A linkage that is planted, with its crank's angles in degrees and its output at every one: angles, or travels.
+/// A linkage with a known solution: its crank angles in degrees, each with the output, which is an
+/// angle or a travel.
 struct PlantedFunction {
     output: Output,
     lengths: [f64; 3],
@@ -26,7 +27,8 @@ const PLAIN: PlantedLaw = PlantedLaw([0.0, 1.0, 0.0, 1.0]);
 const LAW: PlantedLaw = PlantedLaw([20.0, 40.0, -35.0, 25.0]);
 
 impl PlantedFunction {
-    /// At so many angles over a swing, where it closes; by the circles' own formula, which the room does not use.
+    /// Draws a random linkage that closes at `count` angles over a swing. The circles' own formula
+    /// gives its outputs; the tested code does not use it.
     fn draw(chance: &mut SeededChance, output: Output, count: usize) -> PlantedFunction {
         loop {
             let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + chance.even());
@@ -79,7 +81,7 @@ impl PlantedFunction {
         }
     }
 
-    /// How far the nearest proposal's lengths are from the planted ones.
+    /// Returns the difference between the known lengths and those of the nearest proposal.
     fn nearest(&self, proposals: &Proposals) -> f64 {
         let apart = |proposal: &Proposal| {
             let (a, b, c) = proposal.lengths().unwrap();
@@ -104,7 +106,7 @@ fn output_of(output: Output, [a, b, c]: [f64; 3], angle: f64, side: f64) -> Opti
         Output::Angle => {
             let (dx, dy) = (x - 1.0, y);
             let d = dx.hypot(dy);
-            // Along D-B, then across.
+            // Along D-B, then perpendicular to it.
             let along = (d * d + c * c - b * b) / (2.0 * d);
             let h2 = c * c - along * along;
             (h2 > 0.01).then(|| {
@@ -120,7 +122,8 @@ fn output_of(output: Output, [a, b, c]: [f64; 3], angle: f64, side: f64) -> Opti
     }
 }
 
-/// Plants so many, and says how many are recovered to 1e-9, and whether every answer is said to be complete.
+/// Draws `rounds` linkages. Returns how many are recovered to 1e-9, and whether every result is
+/// complete.
 fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (usize, bool) {
     let mut chance = SeededChance::new(200 + count as u64);
     let (mut found, mut is_complete) = (0, true);
@@ -141,9 +144,9 @@ fn law_of(output: Output, free: [bool; 4]) -> PlantedLaw {
     }
 }
 
-/// By algebra: every planted linkage is found, and all others with it.
+/// By algebra: every known linkage is found, together with all others.
 #[test]
-fn as_many_pairs_as_unknowns_find_every_linkage() {
+fn exactly_determined_tasks_find_all_linkages() {
     let (t, f) = (true, false);
     for (output, count, free) in [
         (Output::Angle, 3, [f, f, f, f]),
@@ -162,9 +165,10 @@ fn as_many_pairs_as_unknowns_find_every_linkage() {
     }
 }
 
-/// By least squares from algebra, and from many starts where scales are free: that proves nothing complete.
+/// By least squares from algebra, and from many starts if scales are free: the result is never
+/// complete.
 #[test]
-fn more_pairs_and_free_scales_find_the_planted_linkage() {
+fn more_pairs_and_free_scales_find_planted_linkage() {
     let (t, f) = (true, false);
     for (output, count, free, rounds) in [
         (Output::Angle, 5, [f, f, f, f], 40),
@@ -181,9 +185,10 @@ fn more_pairs_and_free_scales_find_the_planted_linkage() {
     }
 }
 
-/// With noise of a hundredth of a degree the best is no farther from the pairs than what was planted.
+/// With noise of a hundredth of a degree, the best linkage fits the pairs at least as well as the
+/// known one.
 #[test]
-fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
+fn noise_is_fitted_as_well_as_by_planted_linkage() {
     let mut chance = SeededChance::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
@@ -202,7 +207,7 @@ fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
             let proposals = propose(&task);
             let sum = |proposal: &Proposal| {
                 let run = FunctionRun::of(&task, proposal).unwrap();
-                // What stands in a dead point at a pair is no fit.
+                // A linkage at a dead point at a pair is not a fit.
                 let error = |x, y| run.error(x, y).unwrap_or(f64::INFINITY);
                 let errors = task.pairs.iter().map(|[x, y]| error(*x, *y));
                 errors.map(|e| e * e).sum::<f64>()
@@ -217,10 +222,10 @@ fn noise_is_fitted_at_least_as_well_as_by_what_was_planted() {
     }
 }
 
-/// Pairs that nearly or wholly repeat, outputs that dwell, equal angles, and numbers that are none: what comes out is
-/// finite, and a linkage at every pair.
+/// Pairs that repeat exactly or nearly, constant outputs, equal angles and non-finite numbers: all
+/// results are finite, with a place at every pair.
 #[test]
-fn hardly_anything_to_go_by_does_no_harm() {
+fn degenerate_pairs_give_finite_linkages() {
     let nan = f64::NAN;
     let dwell = [
         [0.0, 50.0],
@@ -300,13 +305,13 @@ fn hardly_anything_to_go_by_does_no_harm() {
             }
         }
     }
-    // Equal angles are a parallelogram of any length: there is something to find.
+    // Equal angles are a parallelogram of any length, so that linkages exist.
     assert!(count > 100, "{count}");
 }
 
-/// An answer of nothing is not said to be complete where nothing was asked.
+/// An empty result is not complete if the task is not sound.
 #[test]
-fn a_task_that_is_not_sound_finds_nothing() {
+fn unsound_task_finds_nothing() {
     let mut task =
         PlantedFunction::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
@@ -320,9 +325,9 @@ fn a_task_that_is_not_sound_finds_nothing() {
     assert_eq!(propose(&task), Proposals::default());
 }
 
-/// Fewer pairs than unknowns: several linkages, all through the pairs, of their own lengths everywhere.
+/// Fewer pairs than unknowns: several linkages, all through the pairs, with constant lengths.
 #[test]
-fn solutions_without_number_are_proposed_in_part() {
+fn underdetermined_task_proposes_sample_of_family() {
     let mut chance = SeededChance::new(9);
     for output in [Output::Angle, Output::Slide] {
         let planted = PlantedFunction::draw(&mut chance, output, 3);
@@ -346,9 +351,9 @@ fn solutions_without_number_are_proposed_in_part() {
     }
 }
 
-/// A run knows the datums and scales that were found: a planted function is followed between its pairs, too.
+/// A run uses the fitted datums and scales, and follows a known function between its pairs, too.
 #[test]
-fn a_run_follows_the_planted_function_between_the_pairs() {
+fn run_follows_planted_function_between_pairs() {
     let mut chance = SeededChance::new(21);
     let mut followed = 0;
     for round in 0..60 {
@@ -357,7 +362,7 @@ fn a_run_follows_the_planted_function_between_the_pairs() {
             Output::Angle => [true, false, true, false],
             Output::Slide => [true, false, true, true],
         };
-        // Every other angle is a pair, the ones between are looked at.
+        // Every other angle is a pair; the ones between are checked.
         let planted = PlantedFunction::draw(&mut chance, output, 9);
         let all = planted.task(law_of(output, free), free);
         let mut task = all.clone();

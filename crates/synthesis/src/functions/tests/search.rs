@@ -1,4 +1,4 @@
-//! Where algebra does not reach: noise, free scales, many pairs, and a search that is watched.
+//! Tests of cases beyond algebra: noise, free scales, many pairs, and progress reports.
 
 use super::super::FunctionSearch;
 use super::{LAW, PlantedFunction, PlantedLaw, law_of, propose};
@@ -6,7 +6,8 @@ use crate::functions::FunctionRun;
 use crate::{FunctionTask, Given, Output, Proposal};
 use kinematics::numeric::SeededChance;
 
-/// The sum of squares that a proposal misses by at the pairs; what stands in a dead point at one is no fit.
+/// Returns the sum of squared errors of a proposal at the pairs, or infinity if the linkage is at a
+/// dead point at one.
 fn squares(task: &FunctionTask, proposal: &Proposal) -> f64 {
     let run = FunctionRun::of(task, proposal).unwrap();
     let error = |x, y| run.error(x, y).unwrap_or(f64::INFINITY);
@@ -14,9 +15,10 @@ fn squares(task: &FunctionTask, proposal: &Proposal) -> f64 {
     errors.map(|e| e * e).sum()
 }
 
-/// Twenty pairs with noise of a hundredth of the swing: nothing was found where algebra led elsewhere.
+/// Twenty pairs with noise of a hundredth of the swing. The search used to find nothing, since
+/// algebra led away from the minimum.
 #[test]
-fn noisy_pairs_are_fitted_as_well_as_by_what_was_planted() {
+fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
     let mut chance = SeededChance::new(501);
     let free = [true, false, true, false];
     let mut fitted = 0;
@@ -40,10 +42,10 @@ fn noisy_pairs_are_fitted_as_well_as_by_what_was_planted() {
     assert!(fitted >= 19, "{fitted}");
 }
 
-/// Both scales free and both datums given: there are many linkages through five pairs, and the planted one, which is of
-/// usual lengths, is among those that are told; none is told twice, and none is a needle.
+/// Both scales free and both datums given: five pairs have many linkages. The known one, with usual
+/// lengths, is among the results; none occurs twice, and none is too slender.
 #[test]
-fn free_scales_find_linkages_of_usual_lengths_once() {
+fn free_scales_find_distinct_linkages_of_usual_lengths() {
     let mut chance = SeededChance::new(77);
     let free = [false, true, false, true];
     let (mut recovered, rounds) = (0, 12);
@@ -64,10 +66,10 @@ fn free_scales_find_linkages_of_usual_lengths_once() {
     assert!(recovered + 1 >= rounds, "{recovered}");
 }
 
-/// What comes out does not depend on the threads; the part that is done never falls and ends at 1; and a search that is
-/// stopped says what it had.
+/// The result does not depend on the number of threads. The reported progress never decreases and
+/// ends at 1. A stopped search returns the linkages found so far.
 #[test]
-fn a_search_is_watched_and_stopped() {
+fn search_reports_progress_and_can_be_stopped() {
     let planted = PlantedFunction::draw(&mut SeededChance::new(3), Output::Angle, 100);
     let free = [true, false, true, false];
     let task = planted.task(LAW, free);
@@ -92,9 +94,9 @@ fn a_search_is_watched_and_stopped() {
     assert!(run(1, 0.05).0.found.is_empty());
 }
 
-/// A slider-crank begins where its `start` says, and not opposite to it.
+/// A slider-crank begins at its given start angle, not opposite to it.
 #[test]
-fn a_given_start_of_a_slider_crank_is_kept() {
+fn slider_crank_keeps_given_start() {
     let mut chance = SeededChance::new(12);
     for free in [
         [false, false, true, true],

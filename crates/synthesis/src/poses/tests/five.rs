@@ -1,4 +1,5 @@
-//! All dyads of five poses, held against planted ones and against Newton's method from everywhere.
+//! Compares the dyads of five poses with known ones and with those of Newton's method from many
+//! starts.
 
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
@@ -9,7 +10,7 @@ use crate::{Partner, Pose, PoseTask, Proposals};
 use kinematics::numeric::SeededChance;
 use kinematics::{Vec2, angle};
 
-/// All of them; none where there may be others.
+/// Returns all dyads; `None` if there may be others.
 fn dyads(task: &PoseTask) -> Option<Vec<PinHeld>> {
     let all = five::dyads(&Guidance::new(task).unwrap())?;
     all.are_all.then_some(all.found)
@@ -19,7 +20,8 @@ fn both(task: &PoseTask) -> Proposals {
     propose(task, true, true, None, PoseReach::Usual)
 }
 
-/// Both planted dyads, an even number of them in all, and at most four: they are roots of a real quartic.
+/// Both known dyads are found, and the total is two or four, since they are roots of a real
+/// quartic.
 #[test]
 fn both_planted_dyads_are_among_at_most_four() {
     let mut chance = SeededChance::new(1);
@@ -39,7 +41,7 @@ fn both_planted_dyads_are_among_at_most_four() {
 }
 
 #[test]
-fn all_pairs_are_proposed_and_come_through_the_poses() {
+fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
     let mut chance = SeededChance::new(2);
     let mut most = 0;
     for n in 0..200 {
@@ -76,7 +78,8 @@ fn all_pairs_are_proposed_and_come_through_the_poses() {
     assert_eq!(most, 6);
 }
 
-/// Every dyad that Newton's method finds from so many starts is among those of the resultant; how many it finds.
+/// Checks that every dyad found by Newton's method from `starts` starts is among those of the
+/// resultant, and returns their number.
 fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> usize {
     let found = dyads(task).unwrap();
     let mut seen: Vec<[Vec2; 2]> = Vec::new();
@@ -86,7 +89,7 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> u
         let Some([pivot, pin]) = newton::solution(task, start, 2.0) else {
             continue;
         };
-        // On its way to infinity every pin seems to be on a circle.
+        // Close to infinity every pin seems to be on a circle.
         if pivot.norm() > 1e3 || pin.norm() > 1e3 {
             continue;
         }
@@ -107,7 +110,7 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> u
 }
 
 #[test]
-fn nothing_is_missed_that_newton_finds_from_everywhere() {
+fn all_dyads_found_by_newton_are_present() {
     let mut chance = SeededChance::new(3);
     let planted = |chance: &mut SeededChance| Planted::four_bar(chance, 5, 15.0).task;
     let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut chance)).collect();
@@ -118,10 +121,10 @@ fn nothing_is_missed_that_newton_finds_from_everywhere() {
     assert!(met > 60, "{met}");
 }
 
-/// Poses that mirror each other, origins on a line and on a circle, equal angles in pairs: pins that are level or one
-/// above the other, and dyads at infinity.
+/// Mirrored poses, origins on a line and on a circle, and pairs of equal angles: pins with equal x
+/// or y, and dyads at infinity.
 #[test]
-fn nothing_is_missed_of_special_poses() {
+fn special_poses_have_all_dyads_found_by_newton() {
     let task = |poses: [(f64, f64, f64); 5]| PoseTask {
         poses: poses
             .map(|(x, y, angle)| Pose {
@@ -182,7 +185,7 @@ fn nothing_is_missed_of_special_poses() {
         .map(|task| met_by_newton(task, &mut chance, 400))
         .collect();
     assert!(met.iter().sum::<usize>() >= 8, "{met:?}");
-    // No coordinate is left at what rounding makes of nought.
+    // Coordinates of zero are exact, without rounding errors.
     let mirrored = dyads(&tasks[0]).unwrap();
     assert!(mirrored.iter().all(|held| held.pin.x == 0.0));
     // The origin itself is on the circle.
@@ -204,9 +207,9 @@ fn on_a_circle(places: &[(f64, f64)]) -> PoseTask {
     }
 }
 
-/// Poses that nearly repeat, that are all near each other, and pivots that are far away: the dyads of the poses as they
-/// are rounded, to nearly all digits. (The planted ones are off by what the rounding of the poses does to them: up to
-/// 1e-8 where two poses are a hundredth of a degree apart.)
+/// Poses that nearly repeat, poses close to each other, and distant pivots: the dyads of the
+/// rounded poses agree to nearly all digits. (The known ones differ by the effect of rounding the
+/// poses: up to 1e-8 if two poses are a hundredth of a degree apart.)
 #[test]
 fn nearly_degenerate_poses_lose_no_digits() {
     let mut chance = SeededChance::new(4);
@@ -263,10 +266,10 @@ fn nearly_degenerate_poses_lose_no_digits() {
     }
 }
 
-/// Poses that are off by 1e-6 have dyads that are off by that times a condition, which is below a thousand for nearly
-/// all linkages with poses well apart.
+/// An error of 1e-6 in the poses changes the dyads by that error times a condition number, which is
+/// below a thousand for nearly all linkages with well-separated poses.
 #[test]
-fn noise_moves_dyads_by_little() {
+fn small_noise_moves_dyads_slightly() {
     let mut chance = SeededChance::new(6);
     let mut offs: Vec<f64> = Vec::new();
     for _ in 0..200 {
@@ -286,9 +289,9 @@ fn noise_moves_dyads_by_little() {
     );
 }
 
-/// Frames far from the poses, and sizes of all kinds, change nothing but the rounding of the poses.
+/// Scaling the poses changes only their rounding.
 #[test]
-fn sizes_and_places_do_not_matter() {
+fn scaling_poses_scales_dyads() {
     let mut chance = SeededChance::new(7);
     for scale in [1e-6, 1.0, 1e7] {
         for _ in 0..40 {
@@ -312,9 +315,10 @@ fn sizes_and_places_do_not_matter() {
     }
 }
 
-/// A parallelogram's coupler only shifts: every pin has a pivot, and no number of them is all.
+/// A parallelogram's coupler only translates: every pin has a pivot, so that a finite number of
+/// dyads is never complete.
 #[test]
-fn a_parallelogram_has_any_number_of_dyads() {
+fn parallelogram_has_infinitely_many_dyads() {
     let poses = [0.0, 30.0, 75.0, 140.0, 200.0].map(|crank| Pose {
         at: Vec2::new(1.0, 2.0) + turned(1.5, crank),
         angle: 20.0,
@@ -333,9 +337,9 @@ fn a_parallelogram_has_any_number_of_dyads() {
     }
 }
 
-/// Shifts that are on no circle are led by no link, and shifts along a line by slides alone.
+/// Translations off a circle have no link; translations along a line have only slides.
 #[test]
-fn shifts_without_a_circle_have_no_linkage() {
+fn translations_off_circle_have_no_linkage() {
     let at = |places: [(f64, f64); 5]| PoseTask {
         poses: places
             .map(|(x, y)| Pose {
@@ -351,9 +355,9 @@ fn shifts_without_a_circle_have_no_linkage() {
     assert!(both(&line).found.is_empty());
 }
 
-/// A body that turns about a fixed point needs no linkage, and is given none with a link of no length.
+/// A body that rotates about a fixed point gets no linkage with a link of zero length.
 #[test]
-fn a_turn_about_a_point_is_no_linkage() {
+fn rotation_about_point_gives_no_zero_length_crank() {
     let pole = Vec2::new(3.0, -1.0);
     let poses = [0.0, 20.0, 50.0, 110.0, 170.0].map(|turn| Pose {
         at: pole + turned(2.0, turn + 10.0),
@@ -372,10 +376,11 @@ fn a_turn_about_a_point_is_no_linkage() {
     assert!(!all.is_complete);
 }
 
-/// Four poses of a square turn about its middle, and say less than they seem to: with a fifth there is a line of pins,
-/// all with the middle for their pivot, so that no two of them make a linkage.
+/// Four poses of a square rotate about its middle, so that some equations are dependent. With a
+/// fifth pose there is a line of pins, all with the middle as their pivot, so that no two of them
+/// form a linkage.
 #[test]
-fn poses_that_say_too_little_have_a_curve() {
+fn dependent_poses_have_curve_of_dyads() {
     let places = [
         (0.0, 0.0, 0.0),
         (1.0, 0.0, 90.0),
@@ -401,10 +406,10 @@ fn poses_that_say_too_little_have_a_curve() {
     }
 }
 
-/// Cardan's motion: two pins on perpendicular lines, so that every pin of a circle goes along a line, and the middle on
-/// a circle.
+/// Cardan's motion: two pins on perpendicular lines. Every pin of a circle moves along a line, and
+/// the circle's centre moves on a circle.
 #[test]
-fn an_ellipse_trammel_has_a_family_of_slides() {
+fn elliptic_trammel_has_family_of_slides() {
     let poses = [10.0, 40.0, 75.0, 160.0, 250.0].map(|turn| {
         let along = angle::unit(turn);
         Pose {
@@ -426,9 +431,10 @@ fn an_ellipse_trammel_has_a_family_of_slides() {
     }
 }
 
-/// A given pivot or pin is held exactly, and leaves what goes with it; one that leads nowhere leaves nothing.
+/// A given pivot or pin is kept exactly, and the result contains only linkages with it; a pivot
+/// that fits no dyad gives an empty result.
 #[test]
-fn what_is_given_is_kept() {
+fn given_pivots_and_pins_are_kept() {
     let mut chance = SeededChance::new(9);
     for _ in 0..40 {
         let planted = Planted::four_bar(&mut chance, 5, 20.0);
@@ -466,7 +472,7 @@ fn what_is_given_is_kept() {
 }
 
 #[test]
-fn nonsense_proposes_nothing_and_does_not_panic() {
+fn degenerate_poses_give_finite_linkages() {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         at: Vec2::new(x, y),
         angle,

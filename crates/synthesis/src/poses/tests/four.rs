@@ -1,4 +1,4 @@
-//! The curve of four poses, held against slices of it and against planted dyads.
+//! Compares the curve of four poses with slices of it and with known dyads.
 
 use super::planted::{Planted, PlantedForm, worst_miss};
 use crate::poses::dyad::PinHeld;
@@ -12,8 +12,8 @@ fn pieces(task: &PoseTask) -> Vec<Vec<PinHeld>> {
     four::pieces(&Guidance::new(task).unwrap())
 }
 
-/// What is nought where four poses put a pin on a circle or a line: the determinant of the squares and places, from
-/// the poses in doubles.
+/// Returns a determinant that is zero if four poses put a pin on a circle or a line, from squares
+/// and coordinates in doubles.
 fn cubic(task: &PoseTask, pin: Vec2) -> f64 {
     let rows: Vec<[f64; 4]> = task
         .poses
@@ -38,7 +38,8 @@ fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
     all.fold(f64::INFINITY, f64::min)
 }
 
-/// Along lines all over the body every root of the determinant is on a piece that was traced; how many there are.
+/// Checks, along lines over the whole body, that every root of the determinant is on a traced
+/// piece. Returns the number of roots.
 fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
     let mut roots = 0;
     for line in -12..=12 {
@@ -68,7 +69,7 @@ fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
 }
 
 #[test]
-fn no_branch_and_no_oval_is_missed() {
+fn curve_includes_all_branches_and_ovals() {
     let mut chance = SeededChance::new(11);
     let (mut roots, mut ovals) = (0, 0);
     for _ in 0..24 {
@@ -83,9 +84,9 @@ fn no_branch_and_no_oval_is_missed() {
     assert!(roots > 1200 && ovals > 4, "{roots} {ovals}");
 }
 
-/// Spots are as near to each other as they are drawn, and all of them lead through the poses.
+/// Spots are as close to each other as they are drawn, and all of them pass through the poses.
 #[test]
-fn the_curve_is_traced_in_small_steps() {
+fn curve_is_traced_in_small_steps() {
     let mut chance = SeededChance::new(12);
     for n in 0..40 {
         let planted = if n % 2 == 0 {
@@ -99,7 +100,8 @@ fn the_curve_is_traced_in_small_steps() {
         assert!((100..6000).contains(&count), "{n}: {count}");
         for pair in pieces.iter().flat_map(|piece| piece.windows(2)) {
             let step = (pair[1].pin - pair[0].pin).norm();
-            // In sight, which is a few sizes around: further out steps are as long as they look from the middle.
+            // Within view, which is a few sizes; further out, steps are longer in proportion to
+            // their distance as seen from the middle.
             let out = pair[0].pin.norm().max(pair[1].pin.norm()) / size;
             assert!(
                 step <= 0.1 * size * (1.0 + out * out),
@@ -123,9 +125,9 @@ fn the_curve_is_traced_in_small_steps() {
     }
 }
 
-/// Planted dyads are on the curve, and a given one of them has its planted pin, and no other.
+/// Known dyads are on the curve. A given pivot or pin of one of them yields the known dyad.
 #[test]
-fn planted_dyads_are_on_the_curve() {
+fn planted_dyads_are_on_curve() {
     let mut chance = SeededChance::new(13);
     for n in 0..40 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -145,9 +147,10 @@ fn planted_dyads_are_on_the_curve() {
     }
 }
 
-/// The one slide of four poses is the planted one, and it stands in the curve where the pivots pass through infinity.
+/// The single slide of four poses is the known one. It is on the curve where the pivots pass
+/// through infinity.
 #[test]
-fn the_slide_of_four_poses_is_the_planted_one() {
+fn slide_of_four_poses_is_planted_slide() {
     let mut chance = SeededChance::new(14);
     for n in 0..40 {
         let planted = Planted::slider_crank(&mut chance, 4, 20.0);
@@ -161,7 +164,7 @@ fn the_slide_of_four_poses_is_the_planted_one() {
 }
 
 #[test]
-fn linkages_of_four_poses_come_through_them() {
+fn linkages_of_four_poses_pass_through_them() {
     let mut chance = SeededChance::new(15);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -184,9 +187,10 @@ fn linkages_of_four_poses_come_through_them() {
     }
 }
 
-/// Two pivots that are given are the linkage, one is in all of them, and one that is nowhere on the curve in none.
+/// Two given pivots determine the linkage, one is in all linkages, and a pivot off the curve gives
+/// none.
 #[test]
-fn what_is_given_of_four_poses_is_kept() {
+fn four_poses_keep_given_pivots_and_pins() {
     let mut chance = SeededChance::new(16);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -219,10 +223,9 @@ fn what_is_given_of_four_poses_is_kept() {
     }
 }
 
-/// Poses that nearly repeat, equal angles in pairs, poses in a row: every dyad that is shown leads through them, and the
-/// planted ones are on the curve.
+/// Poses that nearly repeat, and pairs of nearly equal angles: the known dyads are on the curve.
 #[test]
-fn special_poses_have_their_curve() {
+fn curve_of_special_poses_contains_known_dyads() {
     let mut chance = SeededChance::new(17);
     for n in 0..30 {
         let shape = PlantedForm::four_bar(&mut chance);
@@ -247,9 +250,9 @@ fn special_poses_have_their_curve() {
     }
 }
 
-/// Two pairs of shifts: the curve is a conic, and its pins have pivots all along.
+/// Two pairs of translations: the curve is a conic, and its pins have pivots everywhere.
 #[test]
-fn two_pairs_of_equal_angles_have_a_conic() {
+fn two_pairs_of_equal_angles_have_conic_curve() {
     let pose = |x: f64, y: f64, angle: f64| Pose {
         at: Vec2::new(x, y),
         angle,
@@ -280,9 +283,9 @@ fn two_pairs_of_equal_angles_have_a_conic() {
     }
 }
 
-/// Poses that mirror each other: the cubic is a line and a circle, and both are there.
+/// Mirrored poses: the cubic consists of a line and a circle, and both are traced.
 #[test]
-fn mirrored_poses_have_a_line_and_a_circle() {
+fn curve_of_mirrored_poses_is_line_and_circle() {
     let pose = |x: f64, angle: f64| Pose {
         at: Vec2::new(x, 0.2 * x * x),
         angle,
@@ -298,7 +301,8 @@ fn mirrored_poses_have_a_line_and_a_circle() {
         ..PoseTask::default()
     };
     let pieces = pieces(&task);
-    // The body's line of symmetry holds pins, each with a pivot on the ground's.
+    // The body's line of symmetry consists of pins, each with a pivot on the ground's line of
+    // symmetry.
     for y in [-3.0, -1.0, 0.5, 2.0] {
         assert!(distance(&pieces, Vec2::new(0.0, y)) < 0.05, "{y}");
     }
@@ -311,11 +315,11 @@ fn mirrored_poses_have_a_line_and_a_circle() {
     assert!(sliced(&task, &pieces) > 30);
 }
 
-/// Of planted slider-cranks the slide is in proposals as it was planted, and with the crank's pivot the whole linkage, down
-/// to poses that are a few degrees apart.
+/// The proposals contain the known slide of slider-cranks and, with a given crank pivot, the whole
+/// linkage, even for poses only a few degrees apart.
 #[test]
-fn planted_slider_cranks_come_back() {
-    // The nearer the poses, the further their own rounding moves what leads through them.
+fn planted_slider_cranks_are_recovered() {
+    // The closer the poses, the larger the effect of their rounding on the linkages.
     for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
         let mut chance = SeededChance::new(70);
         let (mut checked, mut proposed) = (0, 0);

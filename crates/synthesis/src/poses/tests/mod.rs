@@ -1,4 +1,4 @@
-//! Planted linkages: their own poses lead back to them.
+//! Tests of linkages with a known solution: their poses lead back to them.
 
 mod five;
 mod four;

@@ -1,4 +1,4 @@
-//! Five poses that nearly repeat, and what is said of there being no others.
+//! Five poses that nearly repeat, and the statement that there are no other dyads.
 
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
@@ -8,12 +8,12 @@ use crate::{Partner, Pose, PoseTask};
 use kinematics::numeric::SeededChance;
 use kinematics::{Vec2, angle};
 
-/// A size of linkages at which a crank of 0.4 to 2 is 40 mm to 200 mm.
+/// A scale of linkages at which a crank of 0.4 to 2 is 40 mm to 200 mm.
 const MILLIMETRES: f64 = 100.0;
 
-/// A four-bar of some hundred millimetres whose crank turns by so many degrees from the first of five poses to the last,
-/// with the dyads of the poses as they are rounded; none where Newton's method, which has but the digits of a double,
-/// does not come to them.
+/// Draws a four-bar of some hundred millimetres whose crank turns by `span` degrees from the first
+/// of five poses to the last, with the dyads of the rounded poses. Returns `None` if Newton's
+/// method, limited to the digits of a double, does not converge to them.
 fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
     let mut shape = PlantedForm::four_bar(chance);
     let from = chance.within(0.0, 360.0);
@@ -41,10 +41,10 @@ fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
     Some(planted)
 }
 
-/// Down to poses that all are within 0.003 rad and 0.3 mm of each other, both planted dyads are found and paired, whether
-/// or not it is told that there are no others.
+/// Even if all poses are within 0.003 rad and 0.3 mm of each other, both known dyads are found and
+/// paired, whether or not the result is complete.
 #[test]
-fn poses_that_nearly_repeat_have_their_planted_dyads() {
+fn nearly_repeated_poses_have_planted_dyads() {
     for (span, least, most_open) in [(10.0, 25, 0), (1.0, 25, 1), (0.3, 25, 9), (0.1, 18, 19)] {
         let mut chance = SeededChance::new(40);
         let (mut checked, mut open) = (0, 0);
@@ -73,10 +73,10 @@ fn poses_that_nearly_repeat_have_their_planted_dyads() {
     }
 }
 
-/// Trammels anywhere, with five poses all around and close together: any number of dyads lead through them, and what the
-/// rounding of the poses makes of these is not told to be all.
+/// Trammels anywhere, with five poses all around or close together, have infinitely many dyads. The
+/// remnants of these after rounding are not reported as complete.
 #[test]
-fn no_family_is_told_to_be_a_few() {
+fn family_of_dyads_is_never_reported_complete() {
     let mut chance = SeededChance::new(50);
     for span in [360.0, 40.0, 10.0, 1.0, 0.1] {
         for n in 0..12 {

@@ -1,14 +1,16 @@
-//! Dyads of five poses by Newton's method on the lengths of links, which shares nothing with the resultant.
+//! Finds dyads of five poses by Newton's method on the lengths of links, which shares no code with
+//! the resultant.
 
 use crate::PoseTask;
 use kinematics::{Double, Vec2};
 use nalgebra::{Matrix4, Vector4};
 
-/// Steps of Newton, each at most a size long.
+/// Maximum number of Newton steps, each at most `longest` long.
 const MOST_STEPS: usize = 60;
 
-/// A pivot and a pin in the body's frame near a start: the length of the link squared is the same at all poses. The
-/// rest is taken in twice the digits, so that the solution of the rounded poses is right to all digits of a double.
+/// Returns a pivot and a pin in the body's frame near a start, such that the squared length of the
+/// link is the same at all poses. The residual is computed in double-double, so that the solution
+/// of the rounded poses is correct to all digits of a double.
 pub(super) fn solution(task: &PoseTask, start: [Vec2; 2], longest: f64) -> Option<[Vec2; 2]> {
     let [mut pivot, mut pin] = start.map(Vec2::exactly::<Double>);
     for _ in 0..MOST_STEPS {

@@ -1,4 +1,4 @@
-//! Why nothing is proposed.
+//! Tests of the reasons for empty results.
 
 use super::planted::{Planted, turned};
 use crate::poses::{PoseReach, propose};
@@ -15,7 +15,7 @@ fn proposed(poses: Vec<Pose>) -> Proposals {
 }
 
 #[test]
-fn a_turn_about_a_point_names_it() {
+fn rotation_about_point_reports_the_point() {
     for count in [3, 4, 5] {
         for pole in [Vec2::new(3.0, -1.0), Vec2::ZERO, Vec2::new(1e4, 7.0)] {
             for arm in [0.0, 2.0] {
@@ -39,7 +39,7 @@ fn a_turn_about_a_point_names_it() {
 }
 
 #[test]
-fn coordinates_beyond_what_is_computed_with_are_named() {
+fn out_of_range_coordinates_are_reported() {
     let mut chance = SeededChance::new(60);
     for count in [3, 4, 5] {
         for power in [-200, -100, -60, 0, 60, 100, 200, 300] {
@@ -57,7 +57,7 @@ fn coordinates_beyond_what_is_computed_with_are_named() {
 }
 
 #[test]
-fn whatever_finds_nothing_has_its_reason() {
+fn empty_result_has_reason() {
     let shifts = [(0.0, 0.0), (1.0, 0.2), (2.0, 1.0), (2.5, -1.0), (0.4, 3.0)];
     let shift = |(x, y)| Pose {
         at: Vec2::new(x, y),
@@ -75,7 +75,7 @@ fn whatever_finds_nothing_has_its_reason() {
     };
     let all = propose(&given, true, true, None, PoseReach::Usual);
     assert_eq!((all.found.len(), all.reason), (0, Some(OpenReason::Given)));
-    // A planted four-bar with two dyads alone is no slider-crank.
+    // A four-bar with only two dyads is not a slider-crank.
     let mut paired = 0;
     for _ in 0..20 {
         let planted = Planted::four_bar(&mut chance, 5, 20.0);

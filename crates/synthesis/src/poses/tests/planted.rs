@@ -1,28 +1,28 @@
-//! Linkages drawn by chance, and the poses that their couplers take.
+//! Random linkages and the poses of their couplers.
 
 use crate::poses::dyad::PinHeld;
 use crate::{Partner, Pose, PoseTask, Proposal};
 use kinematics::numeric::SeededChance;
 use kinematics::{Vec2, angle};
 
-/// A linkage by its dyads: what holds each of two pins of the body, in the body's frame.
+/// A linkage given by its dyads: two pins in the body's frame, each with the element that holds it.
 #[derive(Clone, Debug)]
 pub(super) struct Planted {
     pub task: PoseTask,
     pub dyads: [(Partner, Vec2); 2],
 }
 
-/// What holds the second pin, and how long the links are.
+/// A linkage given by its lengths, with the element that holds the second pin.
 pub(super) struct PlantedForm {
     pub pivot: Vec2,
     pub crank: f64,
     pub coupler: f64,
     pub partner: Partner,
-    /// Of the rocker its length, of the slide how far it passes from the pivot.
+    /// The rocker's length, or the distance of the slide's line from the pivot.
     pub rest: f64,
-    /// Which of two assemblies.
+    /// The assembly, 1 or -1.
     pub side: f64,
-    /// The body's origin, and its angle in degrees, as seen from B along the coupler.
+    /// The body's origin, and its angle in degrees, relative to B and the coupler.
     pub body: (Vec2, f64),
 }
 
@@ -52,7 +52,7 @@ impl PlantedForm {
         }
     }
 
-    /// B and C at an angle of the crank, if it gets there.
+    /// Returns B and C at a crank angle in degrees; `None` if the linkage does not reach it.
     fn pins(&self, crank: f64) -> Option<[Vec2; 2]> {
         let b = self.pivot + turned(self.crank, crank);
         let c = match self.partner {
@@ -74,7 +74,8 @@ impl PlantedForm {
         c.is_finite().then_some([b, c])
     }
 
-    /// The pose of the body at an angle of the crank.
+    /// Returns the body's pose at a crank angle in degrees; `None` if the linkage does not reach
+    /// it.
     pub(super) fn pose(&self, crank: f64) -> Option<Pose> {
         let [b, c] = self.pins(crank)?;
         let along = (c - b) / (c - b).norm();
@@ -97,7 +98,8 @@ impl PlantedForm {
         }
     }
 
-    /// The linkage at so many angles, at least this many degrees apart; none where it does not get to them.
+    /// Returns the linkage at `count` random angles, at least `apart` degrees apart; `None` if it
+    /// does not reach so many.
     pub(super) fn at_some(
         &self,
         chance: &mut SeededChance,
@@ -139,7 +141,7 @@ impl Planted {
         }
     }
 
-    /// How far the nearest dyad is from the planted one.
+    /// Returns the difference between a known dyad and the nearest found one.
     pub(super) fn off(&self, which: usize, found: &[PinHeld]) -> f64 {
         let (by, pin) = self.dyads[which];
         found
@@ -148,7 +150,8 @@ impl Planted {
             .fold(f64::INFINITY, f64::min)
     }
 
-    /// The planted linkage among proposals, either way round, to this part of a length of one.
+    /// Returns `true` if the known linkage is among the proposals, driven at either pivot, within a
+    /// tolerance.
     pub(super) fn is_among(&self, found: &[Proposal], within: f64) -> bool {
         let first = &self.task.poses[0];
         let [(Partner::Rocker(pivot), b), (partner, c)] = self.dyads else {
@@ -185,13 +188,13 @@ fn apart(held: &PinHeld, by: Partner, pin: Vec2) -> f64 {
     off.max((held.pin - pin).norm())
 }
 
-/// A vector of a length, in degrees from +x.
+/// Returns a vector of a length at an angle in degrees from +x.
 pub(super) fn turned(length: f64, degrees: f64) -> Vec2 {
     angle::unit(degrees) * length
 }
 
-/// The largest difference of a pin's distances from what holds it, over all poses of all proposals, worked out in plain
-/// doubles from the poses themselves.
+/// Returns the largest deviation of a pin's distance from its pivot or slide, over all poses of all
+/// proposals, computed in doubles from the poses themselves.
 pub(super) fn worst_miss(task: &PoseTask, found: &[Proposal]) -> f64 {
     let mut worst: f64 = 0.0;
     for linkage in found {

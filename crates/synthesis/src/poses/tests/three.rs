@@ -1,4 +1,4 @@
-//! Three poses: a pin for each pivot, a pivot for each pin.
+//! Tests of three poses: a pin for each pivot, a pivot for each pin.
 
 use super::planted::{Planted, worst_miss};
 use crate::poses::guidance::Guidance;
@@ -8,7 +8,7 @@ use kinematics::Vec2;
 use kinematics::numeric::SeededChance;
 
 #[test]
-fn given_pivots_or_pins_are_the_planted_linkage() {
+fn given_pivots_or_pins_give_planted_linkage() {
     let mut chance = SeededChance::new(21);
     for n in 0..200 {
         let planted = Planted::four_bar(&mut chance, 3, 15.0);
@@ -32,9 +32,9 @@ fn given_pivots_or_pins_are_the_planted_linkage() {
     }
 }
 
-/// A given pin whose places are on a line is on a slide; one that is near is on a large link.
+/// A given pin with collinear positions is on a slide; a neighbouring pin is on a long link.
 #[test]
-fn a_pin_on_a_line_slides() {
+fn pin_with_collinear_places_is_on_slide() {
     let mut chance = SeededChance::new(22);
     for n in 0..200 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
@@ -58,9 +58,9 @@ fn a_pin_on_a_line_slides() {
     }
 }
 
-/// Pins that slide are on a circle.
+/// Pins on slides are on a circle.
 #[test]
-fn pins_that_slide_are_on_a_circle() {
+fn sliding_pins_are_on_circle() {
     let mut chance = SeededChance::new(23);
     for n in 0..50 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
@@ -89,7 +89,7 @@ fn pins_that_slide_are_on_a_circle() {
 }
 
 #[test]
-fn free_linkages_are_many_different_and_right() {
+fn free_linkages_are_many_and_exact() {
     let mut chance = SeededChance::new(24);
     let mut slider_cranks = 0;
     for n in 0..30 {
@@ -116,13 +116,13 @@ fn free_linkages_are_many_different_and_right() {
             );
         }
     }
-    // Where the circle of pins that slide is far away, there is none that is handy.
+    // If the circle of sliding pins is far away, none of its pins is within reach.
     assert!(slider_cranks >= 27, "{slider_cranks}");
 }
 
-/// Shifts alone: every link is as long as every other, and turns with it.
+/// For translations alone, crank and rocker are equally long and turn together.
 #[test]
-fn three_shifts_have_parallelograms() {
+fn three_translations_have_parallelograms() {
     let pose = |x: f64, y: f64| Pose {
         at: Vec2::new(x, y),
         angle: 33.0,
@@ -141,7 +141,7 @@ fn three_shifts_have_parallelograms() {
 }
 
 #[test]
-fn three_shifts_along_a_line_have_no_linkage() {
+fn three_collinear_translations_have_no_linkage() {
     let pose = |x: f64| Pose {
         at: Vec2::new(x, 0.5 * x),
         angle: 33.0,
@@ -158,9 +158,9 @@ fn three_shifts_along_a_line_have_no_linkage() {
     );
 }
 
-/// The same task has the same linkages, whatever ran before.
+/// Repeated runs of a task give equal proposals.
 #[test]
-fn proposals_are_the_same_again() {
+fn proposals_are_reproducible() {
     let planted = Planted::four_bar(&mut SeededChance::new(25), 3, 20.0);
     let run = || propose(&planted.task, true, true, None, PoseReach::Usual);
     assert_eq!(run(), run());
