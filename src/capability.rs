@@ -277,7 +277,7 @@ mod tests {
     }
 
     #[test]
-    fn environments_are_told_apart() {
+    fn environment_determines_capability() {
         use Colours::{Indexed, None, Sixteen, True};
         use Glyphs::{Ascii, Braille, Line};
         let utf8 = ("LANG", "en_GB.UTF-8");
@@ -309,9 +309,10 @@ mod tests {
         assert_eq!(dumb.capability(Option::None, Option::None), Option::None);
     }
 
-    /// By the first letters alone, the first one was a VT100, and the console had Braille.
+    /// Regression: with prefix matching, `vte` was taken for a VT100, and the Linux console got
+    /// Braille.
     #[test]
-    fn terminals_are_what_their_names_say() {
+    fn terminal_names_map_to_kinds() {
         for (kind, names) in [
             (
                 TerminalKind::Emulator,
@@ -344,7 +345,7 @@ mod tests {
     }
 
     #[test]
-    fn wishes_override_what_was_found() {
+    fn options_override_detected_capability() {
         let vt = judge(&[("TERM", "vt100")]);
         let wished = vt.capability(Some(Glyphs::Braille), Some(Colours::True));
         let wished = wished.unwrap();
@@ -356,7 +357,7 @@ mod tests {
     }
 
     #[test]
-    fn reasons_name_what_decided() {
+    fn reasons_name_deciding_variable() {
         let judged = judge(&[
             ("TERM", "xterm"),
             ("LC_ALL", "C"),
@@ -374,7 +375,7 @@ mod tests {
     }
 
     #[test]
-    fn more_colours_come_round() {
+    fn colour_depths_cycle() {
         let all = std::iter::successors(Some(Colours::None), |c| Some(c.next()));
         let names: Vec<_> = all.take(5).map(Colours::name).collect();
         assert_eq!(names, ["none", "16", "256", "true", "none"]);

@@ -119,14 +119,14 @@ mod tests {
         judgement.pictures_wished(wish).value
     }
 
-    /// A terminal that is sent what it does not know shows it as pages of letters.
+    /// A terminal without the protocol shows an image as pages of letters.
     #[test]
-    fn pictures_are_sent_only_where_the_environment_is_certain_or_somebody_asks() {
+    fn images_need_certain_environment_or_request() {
         use PictureProtocol::{Iterm, Kitty, Sixel};
         let xterm = ("TERM", "xterm-256color");
         for (environment, protocol) in [
             (&[("TERM", "xterm-kitty")][..], Some(Kitty)),
-            // An xterm that was begun in a kitty has its variables.
+            // An xterm started from kitty inherits its variables.
             (&[xterm, ("KITTY_WINDOW_ID", "1")], None),
             (&[("TERM", "xterm-kitty"), ("ZELLIJ", "0")], None),
             (&[xterm, ("TERM_PROGRAM", "iTerm.app")], Some(Iterm)),

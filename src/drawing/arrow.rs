@@ -122,7 +122,7 @@ mod tests {
     use super::*;
     use crate::drawing::{Figure, Reach, Shape, WorldView, render};
 
-    /// Arrows in twelve directions, from a ring around the middle.
+    /// Renders arrows in twelve directions, which start on a ring around the middle.
     fn rosette(glyphs: Glyphs, role: Role, cut: bool) -> String {
         let corners = [Vec2::new(-14.0, -14.0), Vec2::new(14.0, 14.0)];
         let view = WorldView::fit(&Reach::of_places(&corners, &[]), 44, 22, 2.0);
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn velocities_and_accelerations_are_told_apart_without_colours() {
+    fn velocities_and_accelerations_differ_without_colour() {
         for (name, glyphs) in [
             ("ascii", Glyphs::Ascii),
             ("line", Glyphs::Line),
@@ -158,7 +158,7 @@ mod tests {
     }
 
     #[test]
-    fn heads_point_where_the_arrow_goes() {
+    fn head_glyph_follows_arrow_direction() {
         let v = Vec2::new;
         for (direction, glyph) in [
             (v(1.0, 0.9), '>'),
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn the_arrow_of_a_legend_is_as_long_as_it_says() {
+    fn legend_arrow_has_requested_length() {
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             for role in [Role::Velocity, Role::Acceleration] {
                 for cells in 0..12_usize {
@@ -185,9 +185,10 @@ mod tests {
         assert_eq!(level(Glyphs::Ascii, Role::Acceleration, 7), "-- -->>");
     }
 
-    /// A tip outside would be an arrow without a head: it ends at the edge, and its shaft is broken.
+    /// A tip outside the view would hide the head. The arrow therefore ends at the edge, with a
+    /// broken shaft.
     #[test]
-    fn an_arrow_that_leaves_the_window_ends_at_its_edge() {
+    fn clipped_arrow_ends_with_head_at_edge() {
         let mut raster = Raster::new();
         raster.reset(20, 9);
         let from = Vec2::new(4.5, 4.5);
@@ -220,7 +221,7 @@ mod tests {
     }
 
     #[test]
-    fn what_hardly_moves_has_no_arrow() {
+    fn short_or_invalid_arrows_are_not_drawn() {
         let mut raster = Raster::new();
         raster.reset(9, 9);
         let at = Vec2::new(4.5, 4.5);

@@ -167,16 +167,16 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn dots_are_read_row_by_row() {
+    fn braille_dots_are_read_row_by_row() {
         assert_eq!(dots_of('\u{2800}'), Some(0));
         assert_eq!(dots_of('\u{28ff}'), Some(255));
-        // The dots 1, 4, 7 and 8 of Braille: the first row and the last.
+        // The Braille dots 1, 4, 7 and 8: the first row and the last.
         assert_eq!(dots_of('\u{28c9}'), Some(0b1100_0011));
         assert_eq!(dots_of('o'), None);
     }
 
     #[test]
-    fn blocks_cover_what_the_dots_do() {
+    fn blocks_cover_the_area_of_their_dots() {
         let quadrants: HashSet<char> = (0..=255).map(|d| Blocks::Quadrants.glyph(d)).collect();
         let sextants: HashSet<char> = (0..=255).map(|d| Blocks::Sextants.glyph(d)).collect();
         let octants: HashSet<char> = (0..=255).map(|d| Blocks::Octants.glyph(d)).collect();
@@ -194,9 +194,9 @@ mod tests {
         assert_eq!(Blocks::Sextants.glyph(0b1111_1110), '\u{1fb3b}');
     }
 
-    /// Places in the chart of Unicode 16: BLOCK OCTANT-3 is the first, -2345678 the last.
+    /// Code points in Unicode 16: BLOCK OCTANT-3 is the first, BLOCK OCTANT-2345678 the last.
     #[test]
-    fn octants_stand_where_unicode_has_them() {
+    fn octants_have_unicode_code_points() {
         let octant = |dots| Blocks::Octants.glyph(dots);
         assert_eq!(octant(0b0000_0100), '\u{1cd00}');
         assert_eq!(octant(0b0000_0110), '\u{1cd01}');
@@ -204,10 +204,10 @@ mod tests {
         assert_eq!(octant(0b1111_1110), '\u{1cde5}');
     }
 
-    /// Returns `true` if every block equals the one that others list for its parts.
+    /// Compares every block with the tables of ratatui, an independent source.
     #[cfg(feature = "tui")]
     #[test]
-    fn all_blocks_are_those_of_a_table_made_by_others() {
+    fn blocks_match_tables_of_ratatui() {
         use ratatui::symbols::pixel;
         assert_eq!(OCTANTS, pixel::OCTANTS);
         for parts in 0..64 {
@@ -220,9 +220,9 @@ mod tests {
         assert_eq!(QUADRANTS, pixel::QUADRANTS);
     }
 
-    /// A ghost behind a plate used to be hidden in blocks, and seen in dots.
+    /// Regression: a ghost behind a plate was hidden in block characters, but visible in dots.
     #[test]
-    fn what_lies_behind_a_plate_is_seen_through_it() {
+    fn ghost_shows_through_plate() {
         let square = [(1.0, 1.0), (19.0, 1.0), (19.0, 9.0), (1.0, 9.0)];
         let square = square.map(|(x, y)| Vec2::new(x, y));
         let (from, to, role) = (square[0], square[2], Role::Ghost);

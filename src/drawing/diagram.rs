@@ -360,7 +360,7 @@ mod tests {
     use super::*;
     use crate::page::ArtElement;
 
-    /// The lines of a class, from end to end.
+    /// Returns the vectors of all lines with a class.
     fn drawn(art: &Artwork, class: &str) -> Vec<Vec2> {
         let of = |element: &ArtElement| match element {
             ArtElement::Path {
@@ -372,7 +372,7 @@ mod tests {
     }
 
     #[test]
-    fn a_polygon_that_closes_closes_on_the_sheet() {
+    fn closed_polygon_is_drawn_closed_and_to_scale() {
         let corners = [(0.0, 0.0), (-400.0, 0.0), (-350.0, 86.6), (-88.6, 233.8)];
         let corners = corners.map(|(x, y)| Vec2::new(x, y));
         let mut diagram = VectorDiagram::default();
@@ -385,7 +385,7 @@ mod tests {
         assert_eq!(lines.len(), 4);
         let sum = lines.iter().fold(Vec2::ZERO, |sum, line| sum + *line);
         assert!(sum.norm() < 1e-9, "{sum:?}");
-        // To scale, and inside.
+        // The lines are to scale and within the picture.
         let each = lines[0].norm() / 400.0;
         assert!((lines[1].norm() - each * (corners[2] - corners[1]).norm()).abs() < 1e-9);
         for element in art.elements() {
@@ -403,7 +403,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_of_a_scale_are_round() {
+    fn scale_lengths_are_round() {
         assert_eq!(round_length(123.0), Some(100.0));
         assert_eq!(round_length(49.0), Some(20.0));
         assert_eq!(round_length(0.5), Some(0.5));
@@ -411,7 +411,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_makes_a_sound_picture_too() {
+    fn empty_and_degenerate_diagrams_are_drawn() {
         let mut one = VectorDiagram::default();
         assert!(one.is_empty());
         let _ = one.artwork("nothing");

@@ -246,9 +246,10 @@ mod tests {
         shapes.iter().filter_map(size).collect()
     }
 
-    /// One arrow for each pin and for the load, each as long as its force in the scale of all and along it.
+    /// There is one arrow per pin and one for the load, each parallel to its force and with a
+    /// length at the common scale.
     #[test]
-    fn arrows_are_the_forces_of_the_state_to_one_scale() {
+    fn arrows_show_forces_at_one_scale() {
         let stage = DrawingStage::preset("four-bar-load");
         let state = stage.state(60.0);
         let shapes = added(&stage, &state);
@@ -282,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn a_torque_turns_its_way_around_its_link() {
+    fn torque_arrow_turns_in_direction_of_torque() {
         let text = presets::find("four-bar").unwrap().text;
         for (torque, left) in [("5", true), ("-5", false)] {
             let load = format!("{text}\n[[loads]]\nlink = \"r4\"\ntorque = {torque}\n");
@@ -295,9 +296,10 @@ mod tests {
         }
     }
 
-    /// What a pin feels from its guide alone is the guide's arrow, and with what drives it, the driver's.
+    /// If only the guide acts on a pin, the arrow belongs to the guide; if the driver acts, too, to
+    /// the driver.
     #[test]
-    fn no_force_is_drawn_twice() {
+    fn each_force_is_drawn_once() {
         let torque = "\n[[loads]]\nlink = \"r3\"\ntorque = 5\n";
         let slider_crank = presets::find("slider-crank").unwrap().text.to_owned() + torque;
         let loaded = DrawingStage::of("slider-crank", &slider_crank);
@@ -315,10 +317,10 @@ mod tests {
         }
     }
 
-    /// A level slider does not feel an upright load along its way, and what rounding makes of that is no torque. A slider
-    /// that does not turn is held by a moment.
+    /// A vertical load does not act along a horizontal slider, and its rounding error is not drawn
+    /// as a torque. A slider that does not rotate is held by a moment.
     #[test]
-    fn moments_are_those_that_are_there() {
+    fn only_existing_moments_are_drawn() {
         let upright = "\n[[loads]]\npoint = \"C\"\nforce = [0, -100]\n";
         let text = presets::find("slider-crank").unwrap().text.to_owned() + upright;
         let stage = DrawingStage::of("an upright load", &text);
@@ -340,9 +342,9 @@ mod tests {
         );
     }
 
-    /// Of forces that are withheld none is drawn; what the scene gives stands as ever.
+    /// No force is drawn if the forces do not balance. The loads of the scene are still drawn.
     #[test]
-    fn what_is_withheld_has_no_arrow() {
+    fn unbalanced_forces_have_no_arrow() {
         let stage = falsified(true, || DrawingStage::preset("four-bar-load"));
         let state = stage.state(61.0);
         assert!(state.withheld().is_some());
@@ -352,9 +354,9 @@ mod tests {
         assert!(added(&nothing, &nothing.state(60.0)).is_empty());
     }
 
-    /// Sizes take the room that is left: every bar, pin and arrow head that is seen without them is seen with them.
+    /// Labels of magnitudes use free space only: they cover no bar, pin or name.
     #[test]
-    fn sizes_cover_no_bar_and_no_pin() {
+    fn force_labels_cover_no_bar_or_pin() {
         let is_size = |shape: &Shape| {
             matches!(
                 shape,

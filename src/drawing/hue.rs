@@ -84,9 +84,10 @@ mod tests {
     use super::super::LINK_HUES;
     use super::*;
 
-    /// Links differ from each other and from the driver, arrows and traces from each other.
+    /// Links differ from each other, from the driver, and from arrows and traces; these differ from
+    /// each other.
     #[test]
-    fn roles_have_hues_of_their_own() {
+    fn roles_have_distinct_hues() {
         assert_eq!(usize::from(LINK_HUES), LINKS.len());
         let mut links: Vec<_> = (0..LINK_HUES).map(|k| Hue::of(Role::Link(k))).collect();
         links.push(Hue::of(Role::Driver));

@@ -313,7 +313,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_name_hides_no_joint_and_no_other_name(
+        fn labels_hide_no_joint_and_no_other_label(
             points in prop::collection::vec((0.0..30.0, 0.0..10.0), 1..20),
         ) {
             let mut figure = Figure::new();
@@ -337,7 +337,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_stands_beside_its_line_rather_than_on_it() {
+    fn label_is_placed_off_its_line() {
         let mut figure = Figure::new();
         let (from, to, role) = (Vec2::new(15.0, 5.0), Vec2::new(30.0, 10.0), Role::Link(0));
         figure.add(Shape::Line { from, to, role });
@@ -349,9 +349,9 @@ mod tests {
         assert_eq!(count(&raster, Role::Label), 4);
     }
 
-    /// Sides changed in each frame while a line turned through a name's place.
+    /// Regression: a label changed sides in every frame while a line turned through its place.
     #[test]
-    fn a_name_keeps_its_side_while_the_other_is_hardly_better() {
+    fn label_keeps_its_side_without_clear_gain() {
         let (from, role) = (Vec2::new(15.0, 5.0), Role::Link(0));
         let seats = |labels: &mut Labels| {
             let mut seats = Vec::new();
@@ -373,7 +373,7 @@ mod tests {
     }
 
     #[test]
-    fn a_name_that_fits_nowhere_is_left_out() {
+    fn label_that_fits_nowhere_is_left_out() {
         let mut figure = Figure::new();
         figure.add(label(Vec2::new(15.0, 5.0), &"n".repeat(100)));
         assert_eq!(

@@ -139,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn a_legend_says_what_a_length_means() {
+    fn legend_gives_scale_of_arrows() {
         let shown = |glyphs, width, most| text(&legend_lines(&entries(), glyphs, width, most));
         let velocity = "v 500 mm/s = ----->";
         let acceleration = "a 10000 mm/s^2 = -- >>";
@@ -151,7 +151,7 @@ mod tests {
             shown(Glyphs::Ascii, 40, 2),
             [velocity.to_owned(), format!("{acceleration}   trace P")]
         );
-        // What has no room gives way to what has.
+        // An entry that does not fit gives way to one that does.
         assert_eq!(
             shown(Glyphs::Ascii, 30, 1),
             [format!("{velocity}   trace P")]
@@ -170,7 +170,7 @@ mod tests {
     }
 
     #[test]
-    fn where_nothing_moves_there_is_no_scale() {
+    fn legend_has_no_scale_without_motion() {
         let entry = LegendEntry::arrow(Role::Velocity, "v", "m/s", 0.0);
         let LegendEntry::Note(text) = entry else {
             panic!("{entry:?}");
@@ -180,7 +180,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn values_are_round_and_arrows_neither_short_nor_long(power in -300.0..300.0) {
+        fn values_are_round_and_arrow_lengths_limited(power in -300.0..300.0) {
             let each = 10.0_f64.powf(power);
             let LegendEntry::Arrow { text, cells, .. } = LegendEntry::arrow(Role::Velocity, "v", "m/s", each) else {
                 return Err(TestCaseError::fail("an arrow"));

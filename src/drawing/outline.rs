@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn the_hull_leaves_out_what_lies_inside_or_on_an_edge() {
+    fn hull_omits_points_inside_or_on_edges() {
         let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
         let more = [(1.0, 1.0), (1.0, 0.0), (2.0, 2.0), (f64::NAN, 1.0)];
         let all: Vec<_> = more.into_iter().chain(square).collect();
@@ -204,7 +204,7 @@ mod tests {
     }
 
     #[test]
-    fn points_on_a_line_are_joined_one_after_another() {
+    fn collinear_points_are_joined_in_order() {
         let line = shapes(&[(1.0, 1.0), (3.0, 3.0), (0.1 + 0.2, 0.3), (2.0, 2.0)], 9);
         let stops = points(&[(0.1 + 0.2, 0.3), (1.0, 1.0), (2.0, 2.0), (3.0, 3.0)]);
         let role = Role::Link(0);
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn three_pins_make_a_triangle_and_a_fourth_inside_a_strut() {
+    fn three_pins_make_a_plate_and_inner_pin_a_strut() {
         let triangle = shapes(&[(0.0, 0.0), (4.0, 0.0), (0.0, 4.0)], 9);
         let [
             Shape::Plate { corners: plate, .. },
@@ -233,7 +233,7 @@ mod tests {
     }
 
     #[test]
-    fn a_yoke_has_arms() {
+    fn yoke_arms_start_at_its_block() {
         let yoke = shapes(&[(0.0, 0.0), (0.0, 60.0), (0.0, -60.0), (120.0, 0.0)], 0);
         assert!(
             yoke.iter()
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn a_guide_is_drawn_where_no_line_of_its_link_is() {
+    fn guide_is_drawn_only_beyond_its_link() {
         let v = Vec2::new;
         let lever = [v(0.0, 0.0), v(8.0, 8.0)].map(|at| Corner { at, block: false });
         let beyond = |from, to| beyond(&lever, from, to);
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn a_link_of_one_point_has_no_line() {
+    fn link_with_one_point_has_no_line() {
         assert_eq!(shapes(&[(1.0, 1.0)], 9), []);
         assert_eq!(shapes(&[(1.0, 1.0), (1.0, 1.0)], 9), []);
     }

@@ -272,9 +272,10 @@ mod tests {
         figure.shapes().iter().filter_map(trace).collect()
     }
 
-    /// Half of the coupler curve is straight, traversed from 90 to 270 degrees: 0.39 mm off on 160 mm.
+    /// Half of the coupler curve is straight, from 90 to 270 degrees: it deviates by 0.39 mm over
+    /// 160 mm.
     #[test]
-    fn the_trace_of_hoeckens_linkage_has_its_straight_part() {
+    fn trace_of_hoecken_linkage_has_straight_part() {
         let stage = DrawingStage::preset("hoecken");
         let traces_of = usual_traces(&stage.scene.mechanism);
         assert_eq!(stage.names(&traces_of), ["P"]);
@@ -300,13 +301,13 @@ mod tests {
         assert!(high - low < 0.0025 * length, "{low} to {high}");
         // At 180 degrees the triangle B, C, D has sides of 100, 100 and 120 mm, and P lies above D.
         assert!((at(180) - Vec2::new(80.0, 160.0)).norm() < 1e-9);
-        // The way back is none of it.
+        // The other half of the curve is an arc.
         let arc = course.iter().map(|p| p.y).fold(f64::MIN, f64::max);
         assert!(arc - high > 20.0, "{arc}");
     }
 
     #[test]
-    fn traces_are_where_the_points_are() {
+    fn traces_pass_through_their_points() {
         for stage in DrawingStage::presets() {
             let points = usual_traces(&stage.scene.mechanism);
             assert!(!points.is_empty(), "{}", stage.name);
@@ -332,7 +333,7 @@ mod tests {
     }
 
     #[test]
-    fn joints_on_pinned_links_are_traced_only_where_there_is_nothing_else() {
+    fn usual_traces_prefer_points_off_pinned_links() {
         let names = |preset: &str| {
             let stage = DrawingStage::preset(preset);
             let points = usual_traces(&stage.scene.mechanism);
@@ -343,9 +344,9 @@ mod tests {
         assert_eq!(names("jansen-leg"), "V T");
     }
 
-    /// v = r omega is known at the crank's pin: the arrow of 1500 mm/s, and its direction.
+    /// At the crank's pin v = r omega gives the arrow's value of 1500 mm/s and its direction.
     #[test]
-    fn arrows_have_one_scale_over_the_motion() {
+    fn arrow_scale_is_constant_over_motion() {
         let stage = DrawingStage::preset("four-bar");
         let b = moving_points(&stage.scene.mechanism).next().unwrap();
         let overlay = stage.overlay(&Wanted {
@@ -366,7 +367,7 @@ mod tests {
             let crank = crate::angle::unit(at);
             assert!(arrow.dot(crank).abs() < 1e-9 * longest && crank.cross(arrow) > 0.0);
         }
-        // Shown twice as large, it is as long as before.
+        // At a zoom of 2, the arrow keeps its length on the screen.
         let mut near = Figure::new();
         overlay.add_to(&mut near, &stage.scene, &stage.solver, &state, 2.0);
         let Shape::Arrow { from, to, .. } = near.shapes()[0] else {
@@ -396,9 +397,10 @@ mod tests {
         [start]
         C = [75, 55]"#;
 
-    /// Rates grow beyond all bounds there: arrows are cut, say so, and vanish at the point itself.
+    /// Rates are unbounded near the dead point: arrows are cut and marked as such, and absent at
+    /// the point itself.
     #[test]
-    fn close_to_a_dead_point_arrows_are_cut_and_at_it_there_are_none() {
+    fn arrows_are_cut_near_dead_point_and_absent_at_it() {
         let stage = DrawingStage::of("a scene", SWINGING);
         let overlay = stage.overlay(&everything(&stage));
         let Range::Limited { high, .. } = stage.solver.motion().range else {
@@ -426,9 +428,9 @@ mod tests {
         assert!(arrows(high).is_empty());
     }
 
-    /// Everything of every preset is inside the window, at any size, in every state.
+    /// All arrow tips of every preset are inside the view, throughout the motion.
     #[test]
-    fn tips_stay_inside_the_window() {
+    fn arrow_tips_stay_inside_view() {
         for stage in DrawingStage::presets() {
             let overlay = stage.overlay(&everything(&stage));
             let reach = overlay.reach(&stage.reach).expect("something moves");
@@ -459,7 +461,7 @@ mod tests {
     }
 
     #[test]
-    fn a_driver_that_stands_still_has_no_arrows() {
+    fn legend_says_that_driver_is_at_rest() {
         let stage = DrawingStage::of("a scene", &SWINGING.replace("1 rad/s", "0 rad/s"));
         let overlay = stage.overlay(&everything(&stage));
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
@@ -468,7 +470,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_found_of_another_scene_is_left_out() {
+    fn overlay_of_another_scene_is_ignored() {
         let (press, leg) = (
             DrawingStage::preset("press"),
             DrawingStage::preset("jansen-leg"),
@@ -486,7 +488,7 @@ mod tests {
     }
 
     #[test]
-    fn positions_are_spread_over_the_motion() {
+    fn ghosts_are_spread_over_the_motion() {
         let count = |preset: &str, ghosts| {
             let stage = DrawingStage::preset(preset);
             let wanted = Wanted {

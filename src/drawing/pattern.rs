@@ -176,12 +176,12 @@ mod tests {
     }
 
     #[test]
-    fn a_pin_is_a_ring_and_a_rider_a_disc() {
+    fn pin_is_a_ring_and_rider_a_disc() {
         let at = Vec2::new(5.0, 2.5);
         let ring_alone = drawn(|raster| ring(raster, at, Role::Joint));
         let disc_alone = drawn(|raster| disc(raster, at, Role::Rider));
         assert_eq!((dots(&ring_alone), dots(&disc_alone)), (20, 16));
-        // Nothing is seen through the ring.
+        // The ring hides what is behind it.
         let barred = drawn(|raster| {
             stroke::bar(
                 raster,
@@ -196,7 +196,7 @@ mod tests {
     }
 
     #[test]
-    fn a_plate_is_light_and_stays_where_it_is() {
+    fn plate_pattern_is_sparse_and_fixed_to_screen() {
         let corners = [(0.0, 0.0), (12.0, 0.0), (12.0, 5.0), (0.0, 5.0)];
         let corners = corners.map(|(x, y)| Vec2::new(x, y));
         let whole = drawn(|raster| plate(raster, &corners, Role::Plate(0)));
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn a_spring_goes_from_end_to_end_and_to_both_sides() {
+    fn spring_connects_its_ends_and_has_both_amplitudes() {
         let (a, b) = (Vec2::ZERO, Vec2::new(20.0, 0.0));
         let corners: Vec<Vec2> = zigzag(a, b, 1.5).collect();
         assert_eq!((corners[0], corners[corners.len() - 1]), (a, b));

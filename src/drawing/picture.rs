@@ -402,7 +402,7 @@ mod tests {
     }
 
     #[test]
-    fn every_preset_makes_a_sound_document() {
+    fn svg_of_every_preset_is_well_formed() {
         for preset in presets::all() {
             for zoom in [1.0, 40.0] {
                 let document = document(preset.text, preset.name, zoom);
@@ -421,7 +421,7 @@ mod tests {
     }
 
     #[test]
-    fn the_checker_finds_what_is_wrong() {
+    fn checker_rejects_malformed_documents() {
         assert!(is_well_formed("<svg a=\"1\"><g/><t>x</t></svg>\n"));
         for bad in ["<svg>", "<a><b></a></b>", "<a b=\"></a>", "<a>\u{1b}</a>"] {
             assert!(!is_well_formed(bad), "{bad}");
@@ -429,7 +429,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_is_there() {
+    fn svg_contains_every_part_of_the_figure() {
         let text = presets::find("press-ram").unwrap().text;
         let document = document(text, "A & B", 1.0);
         assert!(document.contains("<title>A &amp; B</title>"));
@@ -458,7 +458,7 @@ mod tests {
     }
 
     #[test]
-    fn few_corners_make_the_same_curve() {
+    fn simplified_curve_stays_within_tolerance() {
         let circle = |k: i32| crate::angle::unit(f64::from(k) * 0.5) * 200.0;
         let mut course: Vec<Vec2> = (0..=720).map(circle).collect();
         let kept = fewer(&course);
@@ -471,7 +471,7 @@ mod tests {
         course[100] = GAP;
         let gaps = fewer(&course).iter().filter(|p| !p.is_finite()).count();
         assert_eq!(gaps, 1);
-        // To and fro on a line: the turning point stays.
+        // Back and forth on a line: the turning point stays.
         let along = [0.0, 4.0, 9.0, 5.0, 0.0].map(|x| Vec2::new(x, 0.0));
         let turned: Vec<f64> = fewer(&along).iter().map(|p| p.x).collect();
         assert_eq!(turned, [0.0, 9.0, 0.0]);

@@ -249,9 +249,9 @@ mod tests {
     }
 
     proptest! {
-        /// Every pose stands in the room that is made for it.
+        /// The extents at a coordinate contain the pose at that coordinate.
         #[test]
-        fn a_room_holds_its_pose(
+        fn extents_contain_their_pose(
             walls in prop::collection::vec((-9.0..9.0, -9.0..9.0), 2..300),
             closed in any::<bool>(),
         ) {
@@ -276,7 +276,7 @@ mod tests {
     }
 
     #[test]
-    fn a_closed_motion_has_no_seam_and_nothing_has_no_room() {
+    fn extents_are_periodic_and_absent_without_poses() {
         let met: Vec<(f64, Bounds)> = (0..=240)
             .map(|k| {
                 let at = f64::from(k) * 1.5;

@@ -263,7 +263,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn anything_can_be_drawn_at_any_size(
+        fn any_figure_renders_at_any_size(
             shapes in prop::collection::vec(shape(), 0..30),
             points in prop::collection::vec(place(), 0..4),
             (cols, rows) in prop_oneof![(0_u16..12, 0_u16..6), (0_u16..400, 0_u16..200)],
@@ -289,7 +289,7 @@ mod tests {
         }
     }
 
-    /// A window of 20 x 10 cells on which one unit of length is one column.
+    /// Returns a view of 20 x 10 cells in which one unit of length is one column.
     fn view() -> WorldView {
         let corners = [Vec2::ZERO, Vec2::new(12.0, 10.0)];
         WorldView::fit(&Reach::of_places(&corners, &[]), 20, 10, 2.0)
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn the_later_link_lies_on_top_and_marks_over_both() {
+    fn later_links_cover_earlier_ones_and_marks_cover_both() {
         let (low, high) = (Vec2::ZERO, Vec2::new(12.0, 10.0));
         let (left, right) = (Vec2::new(0.0, 10.0), Vec2::new(12.0, 0.0));
         let middle = Vec2::new(6.0, 5.0);
@@ -318,7 +318,7 @@ mod tests {
         assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link(0));
         figure.add(line(low, high, Role::Guide));
         assert_eq!(at_middle(&figure, Glyphs::Ascii).role, Role::Link(0));
-        // The driver lies on top of all links, whenever it was added.
+        // The driver covers all links, in whatever order they are added.
         let mut driven = Figure::new();
         driven.add(line(low, high, Role::Driver));
         driven.add(line(left, right, Role::Link(0)));
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn dots_of_crossing_lines_share_a_cell() {
+    fn crossing_lines_share_dots_of_a_cell() {
         let dots = |lines: &[(f64, f64, f64, f64)]| {
             let mut figure = Figure::new();
             for &(ax, ay, bx, by) in lines {

@@ -357,7 +357,8 @@ mod tests {
         cells
     }
 
-    /// The stroke that a glyph draws, from (0, 0) at the upper left of its cell.
+    /// Returns the ends of the stroke that a glyph draws, relative to the upper left corner of its
+    /// cell.
     fn stroke_of(glyph: char) -> (Vec2, Vec2) {
         let v = Vec2::new;
         match glyph {
@@ -372,7 +373,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_stroke_lies_within_half_a_cell_of_the_line(
+        fn strokes_lie_within_half_a_cell_of_line(
             (ax, ay) in (2.0..38.0, 2.0..38.0),
             (bx, by) in (2.0..38.0, 2.0..38.0),
         ) {
@@ -392,7 +393,7 @@ mod tests {
         }
 
         #[test]
-        fn shallow_strokes_meet(
+        fn shallow_lines_have_no_gaps(
             (ax, ay) in (2.0..8.0, 16.0..24.0),
             (bx, slope) in (30.0..38.0, -0.9..0.9),
         ) {
@@ -409,7 +410,7 @@ mod tests {
         }
 
         #[test]
-        fn a_line_takes_one_cell_of_a_column_or_of_a_row(
+        fn line_has_one_cell_per_column_or_row(
             (ax, ay) in (-50.0..90.0, -50.0..90.0),
             (bx, by) in (-50.0..90.0, -50.0..90.0),
         ) {
@@ -420,7 +421,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_is_the_same_from_both_ends() {
+    fn line_does_not_depend_on_direction() {
         for k in 0..360 {
             let b = Vec2::new(20.3, 20.7) + crate::angle::unit(f64::from(k)) * 15.0;
             let a = Vec2::new(20.3, 20.7);
@@ -431,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn level_and_upright_lines_are_plain() {
+    fn horizontal_and_vertical_lines_are_straight() {
         let v = Vec2::new;
         let level = drawn(v(1.5, 3.5), v(5.5, 3.5), Glyphs::Ascii);
         assert_eq!(level.len(), 5);
@@ -441,7 +442,8 @@ mod tests {
         assert!(upright.iter().all(|&(col, _, g)| col == 3 && g == '│'));
     }
 
-    /// Without colour a ghost used to be a line like the links of a small window, and like an echo in characters.
+    /// Regression: without colour a ghost looked like a link in a small view, and like an echo in
+    /// characters.
     #[test]
     fn bars_ghosts_and_echoes_differ_without_colour() {
         for degrees in 0..360 {
@@ -454,7 +456,7 @@ mod tests {
                     bar != ghost && bar != echo && ghost != echo,
                     "{degrees} {glyphs:?}"
                 );
-                // It can be traced by eye: nowhere it leaves out two cells in a row.
+                // The eye can follow the line: it never skips two cells in a row.
                 let far = |a: i32, b: i32| (a - b).abs() > 2;
                 let is_torn = |p: &[(i32, i32, char)]| far(p[0].0, p[1].0) || far(p[0].1, p[1].1);
                 let mut along = ghost.clone();
@@ -469,7 +471,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_outside_or_nowhere_draws_nothing() {
+    fn lines_outside_or_not_finite_draw_nothing() {
         let v = Vec2::new;
         let cases = [
             (v(f64::NAN, 1.0), v(5.0, 5.0)),
@@ -485,7 +487,7 @@ mod tests {
     }
 
     #[test]
-    fn far_ends_cost_no_more_than_the_window() {
+    fn distant_ends_draw_only_visible_cells() {
         let (a, b) = (Vec2::new(-1e12, 5.5), Vec2::new(1e12, 5.5));
         assert_eq!(drawn(a, b, Glyphs::Ascii).len(), usize::from(SIZE));
     }

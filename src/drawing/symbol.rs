@@ -352,9 +352,9 @@ mod tests {
         inked.map(|(row, _)| row - way).collect()
     }
 
-    /// A guide used to be a line through its block and its pin in a large window too.
+    /// Regression: in a large view, too, a guide was a line through its block and pin.
     #[test]
-    fn a_guide_is_two_rails_where_there_is_room_for_a_block() {
+    fn guide_is_two_rails_if_block_fits() {
         for glyphs in [Glyphs::Braille, Glyphs::Blocks(Blocks::Octants)] {
             let of = |role| rows((120, 40), glyphs, role);
             assert_eq!(of(Role::Guide), [-1, 1].into(), "{glyphs:?}");

@@ -26,9 +26,9 @@ fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
     (at.x.floor() as i32, at.y.floor() as i32)
 }
 
-/// Names used to change sides in every frame, nearly.
+/// Regression: labels changed sides in almost every frame.
 #[test]
-fn names_are_calm() {
+fn labels_rarely_move_during_motion() {
     for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         let mut raster = Raster::new();
@@ -48,7 +48,7 @@ fn names_are_calm() {
 }
 
 #[test]
-fn every_name_of_a_textbook_linkage_is_shown() {
+fn every_label_of_textbook_linkages_is_shown() {
     let crowded = ["scissor-lift"];
     for stage in DrawingStage::presets() {
         if crowded.iter().any(|name| stage.name.contains(name)) {
@@ -67,7 +67,7 @@ fn every_name_of_a_textbook_linkage_is_shown() {
 }
 
 #[test]
-fn ascii_is_seven_bit() {
+fn ascii_drawings_are_ascii() {
     for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for state in stage.motion().step_by(20) {
@@ -78,7 +78,7 @@ fn ascii_is_seven_bit() {
 }
 
 #[test]
-fn without_an_assembly_there_is_the_ground() {
+fn drawing_without_assembly_shows_only_ground() {
     let text = include_str!("../../presets/double-rocker.toml");
     let stage = DrawingStage::of("double-rocker", text);
     let mut state = stage.solver.state();
@@ -116,7 +116,7 @@ fn four_bar(scale: f64, x: f64, y: f64) -> DrawingStage {
 }
 
 #[test]
-fn size_and_place_do_not_show() {
+fn drawing_does_not_depend_on_scale_or_origin() {
     let picture = |stage: &DrawingStage| {
         let mut state = stage.solver.state();
         let _ = stage.solver.solve(60.0, Order::Position, &mut state);
@@ -145,9 +145,10 @@ fn corners(figure: &Figure, wanted: impl Fn(Role) -> bool) -> Vec<Vec2> {
     corners.collect()
 }
 
-/// A scene in metres is drawn over the same one in millimetres, link by link, and needs no more room.
+/// A scene in inches is drawn over the same one in millimetres, link by link, and needs no more
+/// space.
 #[test]
-fn another_scene_is_drawn_in_the_unit_of_this_one() {
+fn compared_scene_is_drawn_in_unit_of_this_one() {
     let text = crate::scene::presets::find("watt-six-bar")
         .expect("it is there")
         .text;
@@ -164,22 +165,22 @@ fn another_scene_is_drawn_in_the_unit_of_this_one() {
         let there = |g: &Vec2| (*g - corner * 25.4).norm() < 1e-9 * corner.norm().max(1.0);
         assert!(ghost.iter().any(there), "{corner:?}");
     }
-    // The space of both is that of the larger.
+    // The extents of both are those of the larger one.
     let both = stage.reach.beside(&stage.reach, 25.4, 1.0).bounds();
     let size = stage.reach.bounds().size() * 25.4;
     assert!((both.high - both.low).x >= size.x * (1.0 - 1e-12));
     let same = stage.reach.beside(&stage.reach, 1.0, 1.0).bounds();
     assert_eq!(same, stage.reach.bounds());
-    // Where there is no assembly, there is no ghost.
+    // Without an assembly there is no ghost.
     let mut nothing = Figure::new();
     let unsolved = stage.solver.state();
     add_other(&mut nothing, &stage.scene, &unsolved, 1.0);
     assert!(nothing.shapes().is_empty());
 }
 
-/// Links that meet differ, and a row of the tables has the hue of its link.
+/// Adjacent links have different hues, and a table row has the hue of its link.
 #[test]
-fn links_that_meet_have_hues_of_their_own() {
+fn adjacent_links_have_distinct_hues() {
     for stage in DrawingStage::presets() {
         let mechanism = &stage.scene.mechanism;
         let roles = link_roles(mechanism);
@@ -202,9 +203,10 @@ fn links_that_meet_have_hues_of_their_own() {
     assert_eq!(rows, [crank, coupler, rocker, None]);
 }
 
-/// A driver of three corners used to be a pattern of pieces in blocks, and hollow on paper with its edges twice.
+/// Regression: a driver with three points was fragmented in block characters, and hollow on paper
+/// with its edges drawn twice.
 #[test]
-fn a_driver_of_three_corners_is_a_plate() {
+fn driver_with_three_points_is_a_plate() {
     let text = "unit = \"mm\"
         ground = { A = [0, 0], D = [400, 0] }
         driver = { link = \"r2\", angle = 60, speed = \"1 rad/s\" }
@@ -250,9 +252,9 @@ fn a_driver_of_three_corners_is_a_plate() {
     }
 }
 
-/// In dots a link is as wide as the window allows, and a plate is filled.
+/// In dots, a link is as wide as the size of the view permits, and a plate is filled.
 #[test]
-fn links_are_bodies() {
+fn link_width_follows_size_and_plates_are_filled() {
     let dots = |raster: &Raster, wanted: fn(Role) -> bool| -> u32 {
         let cells = raster.lines().flatten().filter(|cell| wanted(cell.role));
         cells

@@ -59,7 +59,7 @@ mod tests {
     use crate::drawing::{Figure, Reach, Shape, render};
     use std::sync::Arc;
 
-    /// A circle of radius 8, with a gap from 0 to 45 degrees.
+    /// Returns a circle of radius 8, with a gap from 0 to 45 degrees.
     fn circle() -> Arc<[Vec2]> {
         let at = |k: i32| match k {
             1..9 => Vec2::new(f64::NAN, 0.0),
@@ -77,14 +77,14 @@ mod tests {
     }
 
     #[test]
-    fn a_curve_looks_like_one() {
+    fn trace_matches_snapshots() {
         insta::assert_snapshot!("trace-ascii", picture(Glyphs::Ascii));
         insta::assert_snapshot!("trace-line", picture(Glyphs::Line));
         insta::assert_snapshot!("trace-braille", picture(Glyphs::Braille));
     }
 
     #[test]
-    fn far_ends_and_nowhere_draw_nothing_outside() {
+    fn distant_and_invalid_points_do_not_break_rendering() {
         let mut figure = Figure::new();
         let course = [
             (f64::NAN, 1.0),

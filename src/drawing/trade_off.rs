@@ -50,7 +50,7 @@ mod tests {
     use super::time;
 
     #[test]
-    fn powers_of_ten_are_told_in_round_units() {
+    fn powers_of_ten_are_formatted_in_round_units() {
         let told: Vec<_> = (0..5).chain([9, 10]).map(time).collect();
         assert_eq!(
             told,

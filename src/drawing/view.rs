@@ -285,7 +285,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn everything_fits_and_a_square_is_square(
+        fn view_contains_all_points_and_keeps_aspect(
             points in prop::collection::vec((-1.0..1.0, -1.0..1.0), 2..8),
             (size, shift) in (-150.0..150.0, -1e6..1e6),
             (cols, rows) in (12_u16..400, 6_u16..200),
@@ -311,7 +311,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_zoomed_window_keeps_its_shape_and_its_middle(
+        fn zoomed_view_keeps_size_aspect_and_middle(
             points in prop::collection::vec((-50.0..50.0, -50.0..50.0), 2..8),
             zoom in 0.2..80.0,
             (cols, rows) in (1_u16..400, 1_u16..200),
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn a_snug_window_is_low_and_its_drawing_as_large() {
+    fn snug_view_is_lower_at_same_scale() {
         let reach = reach(&[(0.0, 0.0), (40.0, 5.0)], &[(0.0, 0.0)]);
         let of_rows = |rows| WorldView::fit(&reach, 80, rows, 2.0);
         let (snug, high) = (WorldView::snug(40, of_rows), of_rows(40));
@@ -344,7 +344,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_ground_point_lies_in_the_middle_of_a_cell() {
+    fn first_ground_point_is_in_middle_of_a_cell() {
         let reach = reach(&[(-3.0, -1.0), (9.7, 5.1)], &[(0.4, 0.3), (7.0, 0.3)]);
         for (cols, rows) in [(80, 24), (79, 23), (40, 12), (5, 3)] {
             let at = WorldView::fit(&reach, cols, rows, 2.0).cell(Vec2::new(0.4, 0.3));
@@ -354,14 +354,14 @@ mod tests {
     }
 
     #[test]
-    fn there_is_room_for_the_support_below_the_lowest_pin() {
+    fn view_has_room_for_support_below_lowest_pin() {
         let reach = reach(&[(0.0, 0.0), (9.0, 9.0)], &[(0.0, 0.0)]);
         let at = WorldView::fit(&reach, 60, 30, 2.0).cell(Vec2::ZERO);
         assert!(at.y.floor() + 2.0 < 30.0, "{at:?}");
     }
 
     #[test]
-    fn windows_and_motions_of_no_size_give_finite_cells() {
+    fn empty_views_and_motions_give_finite_cells() {
         for (cols, rows) in [(0, 0), (1, 1), (0, 9), (u16::MAX, 1)] {
             for points in [&[][..], &[(5.0, 5.0)], &[(1.0, 1.0), (1.0, 2.0)]] {
                 for aspect in [2.0, 0.0, -1.0, f64::NAN, f64::INFINITY] {

@@ -289,7 +289,7 @@ mod tests {
         assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
     }
 
-    /// Rows used to go into a file that nobody had any more, and into the hole of one that was cut.
+    /// Regression: rows were written to a deleted file, or after a hole in a truncated one.
     #[test]
     fn disturbed_file_gets_no_more_rows() {
         type Deed = fn(&Path);
@@ -334,7 +334,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_cut_off_is_written_again() {
+    fn truncated_file_resumes_after_last_complete_row() {
         let path = place("cut");
         let whole = "head\n0\n1\n2\n3\n4\n";
         for cut in 0..=whole.len() {

@@ -41,7 +41,7 @@ fn opened_in(folder: &Path) -> Vec<fs::Metadata> {
 }
 
 #[test]
-fn a_file_is_replaced_or_made_and_nothing_is_left_beside_it() {
+fn write_creates_or_replaces_file_and_leaves_nothing_else() {
     let folder = folder("replaced");
     let long = "x".repeat(255);
     for name in ["scene.toml", &long] {
@@ -56,13 +56,13 @@ fn a_file_is_replaced_or_made_and_nothing_is_left_beside_it() {
 }
 
 #[test]
-fn mode_attributes_and_links_stay() {
+fn write_keeps_mode_attributes_and_symlinks() {
     let folder = folder("linked");
     let (file, link) = (folder.join("scene.toml"), folder.join("link.toml"));
     fs::write(&file, "old").unwrap();
     fs::set_permissions(&file, fs::Permissions::from_mode(0o640)).unwrap();
     let name = c"user.krank-test";
-    // Some disks have no attributes.
+    // Some file systems have no extended attributes.
     let flags = rustix::fs::XattrFlags::empty();
     let has_attributes = rustix::fs::setxattr(&file, name, b"kept", flags).is_ok();
     symlink("scene.toml", &link).unwrap();
@@ -75,7 +75,7 @@ fn mode_attributes_and_links_stay() {
         let length = rustix::fs::getxattr(&file, name, &mut value[..]).unwrap();
         assert_eq!(&value[..length], b"kept");
     }
-    // A link that leads nowhere yet makes what it leads to.
+    // Writing through a dangling link creates its target.
     let dangling = folder.join("dangling.toml");
     symlink("made.toml", &dangling).unwrap();
     write(&dangling, b"made", None).unwrap();
@@ -84,15 +84,15 @@ fn mode_attributes_and_links_stay() {
         "made"
     );
     assert!(fs::symlink_metadata(&dangling).unwrap().is_symlink());
-    // And one that leads to itself makes nothing.
+    // A link to itself is an error.
     symlink("circle", folder.join("circle")).unwrap();
     assert!(write(&folder.join("circle"), b"x", None).is_err());
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// Whoever owns a file goes on owning it, also where root saves it.
+/// A file keeps its owner even if root saves it.
 #[test]
-fn the_owner_stays() {
+fn write_keeps_owner() {
     let folder = folder("owned");
     let file = folder.join("scene.toml");
     fs::write(&file, "old").unwrap();
@@ -108,7 +108,7 @@ fn the_owner_stays() {
 }
 
 #[test]
-fn a_file_of_two_names_keeps_both() {
+fn write_keeps_hard_links() {
     let folder = folder("hard");
     let (one, two) = (folder.join("one"), folder.join("two"));
     let records = folder.join("deep/records");
@@ -126,9 +126,9 @@ fn a_file_of_two_names_keeps_both() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// A record as a kill leaves it, and the file at any point of being written.
+/// Writes the record that a kill leaves, with the file at any point of the write.
 #[test]
-fn what_a_kill_has_cut_off_is_completed_and_nothing_else() {
+fn recovery_completes_only_interrupted_writes() {
     let folder = folder("mended");
     let (file, records) = (folder.join("scene\n.toml"), folder.join("records"));
     fs::create_dir_all(&records).unwrap();
@@ -160,7 +160,7 @@ fn what_a_kill_has_cut_off_is_completed_and_nothing_else() {
             assert_eq!(mended.len(), usize::from(!was_whole));
             assert!(names(&records).is_empty());
         }
-        // Somebody else has written since: that counts.
+        // A later write by another program is kept.
         fs::write(&file, "something else altogether").unwrap();
         fs::write(records.join("krank-1-1.writing"), &record).unwrap();
         assert!(mend(&records).is_empty());
@@ -169,7 +169,7 @@ fn what_a_kill_has_cut_off_is_completed_and_nothing_else() {
             "something else altogether"
         );
     }
-    // What is no record is no record of ours.
+    // Invalid records are ignored.
     for foreign in [
         "",
         "krank-writing 1 1 1 zz\nab",
@@ -183,7 +183,7 @@ fn what_a_kill_has_cut_off_is_completed_and_nothing_else() {
 }
 
 #[test]
-fn what_was_left_is_swept_and_what_is_in_use_or_foreign_stays() {
+fn stale_temp_files_are_removed_but_not_locked_or_foreign_ones() {
     let folder = folder("swept");
     let file = folder.join("scene.toml");
     fs::write(folder.join(".krank-1-1.part"), "left by a kill").unwrap();
@@ -205,12 +205,12 @@ fn what_was_left_is_swept_and_what_is_in_use_or_foreign_stays() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// The name that the next draft would have: it is another file's, and stays so.
+/// The next temporary file would have the name of a foreign file, which stays unchanged.
 #[test]
-fn a_foreign_file_in_the_way_of_a_draft_stays() {
+fn foreign_file_with_temp_name_stays() {
     let folder = folder("foreign");
     let pid = std::process::id();
-    // Locked, as if somebody were at work on them: sweeping does not take them away.
+    // Locked as if in use, so that the cleanup does not remove them.
     let foreign: Vec<fs::File> = (0..400)
         .map(|n| {
             let file = fs::File::create(folder.join(format!(".krank-{pid}-{n}.part"))).unwrap();
@@ -224,7 +224,7 @@ fn a_foreign_file_in_the_way_of_a_draft_stays() {
 }
 
 #[test]
-fn what_cannot_be_written_leaves_nothing() {
+fn failed_write_leaves_nothing() {
     let folder = folder("missing");
     assert!(write(&folder.join("nowhere/scene.toml"), b"text", None).is_err());
     assert!(write(&folder.join(".."), b"text", None).is_err());
@@ -238,9 +238,9 @@ fn what_cannot_be_written_leaves_nothing() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// A private scene used to lie open to everybody after a kill.
+/// Regression: after a kill, a private scene was readable by everybody.
 #[test]
-fn a_draft_has_its_last_rights_before_its_first_byte() {
+fn temp_file_gets_final_mode_before_first_write() {
     let folder = folder("private");
     let file = folder.join("scene.toml");
     for mode in [0o600, 0o640, 0o664] {
@@ -269,7 +269,7 @@ mod saving {
     }
 
     #[test]
-    fn a_read_only_file_is_written_where_that_is_meant() {
+    fn read_only_file_is_written_only_on_request() {
         let folder = folder("read-only");
         let file = folder.join("scene.toml");
         fs::write(&file, "old").unwrap();
@@ -289,7 +289,7 @@ mod saving {
     }
 
     #[test]
-    fn pipes_and_devices_are_refused_at_once() {
+    fn pipes_and_devices_are_rejected_without_blocking() {
         let folder = folder("pipe");
         let pipe = folder.join("pipe");
         let mode = rustix::fs::Mode::from_raw_mode(0o600);
@@ -303,9 +303,10 @@ mod saving {
         fs::remove_dir_all(folder).unwrap();
     }
 
-    /// Each adds a byte to what it finds: none is lost, so nobody came in between.
+    /// Each thread appends a byte to the present contents; none is lost, so the saves did not
+    /// interleave.
     #[test]
-    fn who_saves_at_once_saves_one_after_the_other() {
+    fn concurrent_saves_are_serialized() {
         let folder = folder("at-once");
         let file = folder.join("scene.toml");
         fs::write(&file, "").unwrap();
@@ -326,7 +327,7 @@ mod saving {
     }
 
     #[test]
-    fn home_is_expanded_where_it_is_meant() {
+    fn leading_tilde_expands_to_home() {
         let env = |name: &str| (name == "HOME").then(|| PathBuf::from("/home/me"));
         let path = |typed| from_home(typed, env);
         assert_eq!(path("~/a.toml"), Path::new("/home/me/a.toml"));
@@ -337,10 +338,10 @@ mod saving {
     }
 }
 
-/// Editors know no lock of ours: what one of them writes while we do is not written over.
+/// Editors ignore our lock: their write during a save is not overwritten.
 #[cfg(feature = "tui")]
 #[test]
-fn what_somebody_else_writes_meanwhile_stays() {
+fn foreign_write_during_save_is_kept() {
     let folder = folder("meanwhile");
     let file = folder.join("scene.toml");
     fs::write(&file, "old").unwrap();
@@ -362,10 +363,10 @@ fn what_somebody_else_writes_meanwhile_stays() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// What a kill leaves: a draft without a name goes with its process.
+/// An unnamed temporary file disappears with its process after a kill.
 #[cfg(target_os = "linux")]
 #[test]
-fn draft_has_no_name_before_it_is_whole() {
+fn temp_file_is_unnamed_until_complete() {
     let folder = folder("unnamed");
     let file = folder.join("out.csv");
     for old in [None, Some("old")] {
@@ -386,9 +387,9 @@ fn draft_has_no_name_before_it_is_whole() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// Two commands used to write one file, and the later one won without a word.
+/// Regression: two commands wrote one file, and the later one won silently.
 #[test]
-fn file_that_another_writes_is_left_alone() {
+fn file_being_written_by_another_is_rejected() {
     let folder = folder("locked");
     let (file, link) = (folder.join("out.csv"), folder.join("link.csv"));
     fs::write(&file, "old").unwrap();
@@ -402,12 +403,12 @@ fn file_that_another_writes_is_left_alone() {
     }
     drop(held);
     assert_eq!(fs::read_to_string(&file).unwrap(), "old");
-    // A new file that somebody else has made meanwhile stays.
+    // A file created by another writer in the meantime is kept.
     let mut late = Output::to(&folder.join("new.csv"), None).unwrap();
     late.write_all(b"late").unwrap();
     write(&folder.join("new.csv"), b"early", None).unwrap();
     assert!(matches!(late.commit(None), Err(Trouble::Exists)));
-    // And so does one that somebody else has written who knows no lock.
+    // A file changed by a writer without locks is kept, too.
     let mut late = Output::to(&file, None).unwrap();
     late.write_all(b"late").unwrap();
     fs::write(&file, "foreign").unwrap();
@@ -417,9 +418,9 @@ fn file_that_another_writes_is_left_alone() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// Only what is called like a draft is swept.
+/// Only files with exactly the name pattern of temporary files are removed.
 #[test]
-fn a_file_that_is_called_nearly_like_a_draft_stays() {
+fn files_with_similar_names_to_temp_files_stay() {
     let folder = folder("nearly");
     for name in [
         ".krank-notes.part",

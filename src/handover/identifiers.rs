@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_that_a_frame_uses_are_found_and_its_local_names_are_free() {
+    fn reserved_names_include_template_names_but_not_locals() {
         let reserved = reserved();
         let used = "cos sin sqrt radians range print float int divmod repr isinstance complex sum zip all abs max sys \
             math main root place positions stand turn circles cosd sind conj reshape numel fprintf lambda seeds";

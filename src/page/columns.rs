@@ -151,17 +151,17 @@ mod tests {
     }
 
     #[test]
-    fn as_many_columns_stand_side_by_side_as_fit() {
+    fn columns_fill_width_before_wrapping() {
         assert_eq!(chunks(&[8; 5], &[0, 1, 2, 3, 4], 24), [0..2, 2..4, 4..5]);
-        // What belongs together stays together where it can.
+        // Groups of columns stay together if possible.
         assert_eq!(chunks(&[8; 5], &[0, 2], 34), [0..2, 2..5]);
         assert_eq!(chunks(&[8; 5], &[0], 34), [0..3, 3..5]);
-        // One that does not fit is shown all the same.
+        // A column that does not fit is shown nevertheless.
         assert_eq!(chunks(&[8; 2], &[0, 1], 3), [0..1, 1..2]);
     }
 
     #[test]
-    fn room_to_spare_moves_columns_apart_and_fewer_no_further() {
+    fn spare_width_widens_gaps_equally_in_all_blocks() {
         let setting = Setting {
             spread: 4,
             ..Setting::default()

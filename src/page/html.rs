@@ -240,7 +240,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn formulas_have_indices_and_powers() {
+    fn formulas_become_html_with_indices_and_powers() {
         assert_eq!(
             formula("-r2 ω2^2 cos(θ2)"),
             "\u{2212}<i>r</i><sub>2</sub> <i>ω</i><sub>2</sub><sup>2</sup> cos(<i>θ</i><sub>2</sub>)"

@@ -344,7 +344,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn formulas_become_mathematics() {
+    fn formulas_become_latex_math() {
         assert_eq!(
             formula("-r2 ω2^2 cos(θ2)"),
             "-r_{\\text{2}}\\,\\penalty900 \\omega _{\\text{2}}^{2}\\,\\penalty900 \\cos (\\theta _{\\text{2}})"
@@ -363,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_in_a_text_is_a_command() {
+    fn text_is_escaped() {
         assert_eq!(
             escaped("\\input{x} 5% a_b #1 ü 字"),
             "\\textbackslash{}input\\{x\\} 5\\% a\\_b \\#1 ü ?"

@@ -191,9 +191,9 @@ mod tests {
         MathPiece::Symbol(letter.into(), index.into(), order)
     }
 
-    /// A scene's names may have a `-` in them, and those of functions.
+    /// Names in a scene may contain a `-` or be those of functions.
     #[test]
-    fn names_stay_whole() {
+    fn names_with_hyphens_or_of_functions_stay_whole() {
         let symbols = |formula: &str| -> Vec<String> {
             let of = |piece: MathPiece| match piece {
                 MathPiece::Symbol(letter, index, _) => Some(format!("{letter}|{index}")),
@@ -210,7 +210,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_symbols_with_an_index() {
+    fn names_split_into_symbol_and_index() {
         for (name, letter, index) in [
             ("r3", "r", "3"),
             ("θ3", "θ", "3"),
@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn formulas_come_apart() {
+    fn formulas_split_into_pieces() {
         let taken = pieces("-ω3^2·sqrt(2) 5.7e-14");
         let two = || Number("2".into(), None);
         let expected = [
@@ -260,7 +260,7 @@ mod tests {
         assert_eq!(marked("2 @N m")[2..], [unit("N"), Blank, unit("m")]);
         assert_eq!(marked("2 @m/s^2 s")[2], unit("m"));
         assert_eq!(marked("2 @m/s^2 + s")[9], symbol("s", "", 0));
-        // What is not marked is a symbol.
+        // Unmarked letters are symbols.
         for (text, at, letter) in [("2 m r3", 2, "m"), ("r2/s", 2, "s"), ("2 N", 2, "N")] {
             assert_eq!(pieces(text)[at], symbol(letter, "", 0), "{text}");
         }

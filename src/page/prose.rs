@@ -115,7 +115,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn rates_and_what_is_typed_stand_apart() {
+    fn prose_splits_into_words_formulas_and_literals() {
         let taken = pieces("a `b c` dr4/dt: d", &[]);
         let expected = [
             ProsePiece::Words("a "),
@@ -130,7 +130,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_symbols_and_articles_are_words() {
+    fn names_are_symbols_but_articles_are_words() {
         let names = ["s", "r2", "a"].map(str::to_owned);
         let symbols = |text: &'static str| -> Vec<&str> {
             let of = |piece| match piece {
@@ -143,7 +143,7 @@ mod tests {
             symbols("a loop: r2 + s (θ3, s), `s`, is μ(θ)."),
             ["r2", "s", "θ3", "s", "μ(θ)"]
         );
-        // Behind a number it is a second.
+        // After a number, `s` is the unit second.
         assert_eq!(symbols("after 2 s, 9.81 m/s^2, s is"), ["s"]);
         assert_eq!(symbols("r2'nin boyu, s'dir"), ["r2", "s"]);
     }

@@ -124,14 +124,14 @@ mod tests {
     };
 
     #[test]
-    fn the_rule_that_says_more_holds_and_then_the_later_one() {
+    fn more_specific_or_later_rule_wins() {
         let both = SHEET.look("path", "a b");
         assert_eq!(both.stroke.as_deref(), Some("010203"));
         assert_eq!((both.width, both.dashes), (3.0, vec![7.0, 4.0]));
         assert_eq!(SHEET.look("path", "a").stroke.as_deref(), Some("112233"));
         assert_eq!(SHEET.look("path", "c").stroke.as_deref(), Some("222222"));
         assert_eq!(SHEET.look("path", "c").fill, None);
-        // A class says more than a kind, wherever it stands.
+        // A class is more specific than an element type, in any order.
         assert_eq!(SHEET.look("circle", "a").stroke.as_deref(), Some("112233"));
         assert_eq!(SHEET.look("circle", "").fill.as_deref(), Some("000000"));
     }

@@ -168,7 +168,7 @@ mod tests {
     };
 
     #[test]
-    fn what_is_not_finite_breaks_a_line_and_text_is_escaped() {
+    fn non_finite_points_break_lines_and_text_is_escaped() {
         let mut art = Artwork::new(Vec2::new(100.0, 50.0), "a < b\u{1b}[2J", PLAIN);
         let gap = Vec2::new(f64::NAN, 0.0);
         let [a, b] = [Vec2::new(0.0, 1.0), Vec2::new(2.5, 3.0)];
@@ -185,7 +185,7 @@ mod tests {
     }
 
     #[test]
-    fn rules_inside_a_page_are_those_of_its_pictures() {
+    fn rules_inside_a_page_are_scoped_to_pictures() {
         let sheet = StyleSheet {
             light: ".a,path.b{fill:none}\n",
             dark: ".a{fill:#fff}\n",

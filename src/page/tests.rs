@@ -14,7 +14,7 @@ fn figures() -> Table {
 }
 
 #[test]
-fn columns_that_do_not_fit_follow_below_and_a_row_without_them_does_not() {
+fn columns_that_do_not_fit_follow_below() {
     let mut page = Page::default();
     page.table(figures());
     let below = "point  x      y\nA      1.000  20.00\nlong       4      5\n\npoint  z\nA      3\n";
@@ -24,7 +24,7 @@ fn columns_that_do_not_fit_follow_below_and_a_row_without_them_does_not() {
     first.setting.rest = Rest::LeftOut;
     let mut page = Page::default();
     page.table(first);
-    // Paper has room for all.
+    // Paper has room for all columns.
     assert_eq!(text(&page, 19), aligned);
     let style = TextStyle {
         ascii: true,
@@ -35,7 +35,7 @@ fn columns_that_do_not_fit_follow_below_and_a_row_without_them_does_not() {
 }
 
 #[test]
-fn a_screen_cuts_a_column_that_has_no_room_and_a_page_does_not() {
+fn only_screens_cut_names_that_do_not_fit() {
     let mut page = Page::default();
     let mut table = Table::new("", ["x"]);
     table.row("a_name_of_many_letters", ["1".to_owned()]);
@@ -47,7 +47,7 @@ fn a_screen_cuts_a_column_that_has_no_room_and_a_page_does_not() {
     };
     let cut: Vec<String> = page.lines(style).iter().map(Line::text).collect();
     assert_eq!(cut, ["           x", "a_na..ers  1"]);
-    // Part of a figure would be another one.
+    // A truncated number would be a different number.
     let mut page = Page::default();
     let mut table = Table::new("", ["x"]);
     table.row("name", ["-128.715".to_owned()]);
@@ -63,7 +63,7 @@ fn a_screen_cuts_a_column_that_has_no_room_and_a_page_does_not() {
 }
 
 #[test]
-fn names_say_more_where_there_is_room_and_stand_in_one_column() {
+fn names_use_long_form_if_it_fits_and_align() {
     let mut page = Page::aligned();
     let mut table = Table::new("force", ["f"]);
     table.rows.push(Row::Figures {
@@ -84,7 +84,7 @@ fn names_say_more_where_there_is_room_and_stand_in_one_column() {
 }
 
 #[test]
-fn words_stand_behind_a_name_or_below_it() {
+fn words_follow_name_or_wrap_below_it() {
     let mut page = Page::default();
     let mut table = Table::new("method", ["time"]);
     table.rows.push(Row::Told {
@@ -105,7 +105,7 @@ fn words_stand_behind_a_name_or_below_it() {
 }
 
 #[test]
-fn a_part_stands_apart_unless_the_one_before_leads_to_it() {
+fn parts_are_separated_unless_introduced() {
     let mut page = Page::default();
     page.title("T");
     page.text_below("state ok");
@@ -119,7 +119,7 @@ fn a_part_stands_apart_unless_the_one_before_leads_to_it() {
 }
 
 #[test]
-fn what_a_terminal_cannot_show_is_spelled() {
+fn ascii_text_spells_out_other_characters() {
     let mut page = Page::default();
     page.title("Kurbel \u{2192} \u{1b}[2J \u{fc}");
     page.equation(["θ3", "2·α"]);

@@ -107,14 +107,14 @@ mod tests {
     use super::*;
 
     #[test]
-    fn words_wrap_and_none_is_lost() {
+    fn wrapping_keeps_every_word() {
         let lines = wrapped("one two  three-and-more four", 8);
         assert_eq!(lines, ["one two", "three-and-more", "four"]);
         assert!(wrapped(" ", 8).is_empty());
     }
 
     #[test]
-    fn a_name_that_is_too_long_keeps_its_end() {
+    fn shortened_name_keeps_its_end() {
         assert_eq!(
             cut_within("rocker_of_the_press.angle", 19),
             "rocker_of..ss.angle"
@@ -124,7 +124,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_that_is_too_long_is_cut_and_blanks_before_stay() {
+    fn long_words_are_broken_and_indentation_kept() {
         let lines = broken("  one twothreefourfive", 10);
         assert_eq!(lines, ["  one", "  twothree", "  fourfive"]);
     }

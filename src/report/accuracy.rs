@@ -430,7 +430,7 @@ mod tests {
     }
 
     #[test]
-    fn every_method_has_a_line_whatever_became_of_it() {
+    fn every_method_has_a_line_for_any_verdict() {
         let point = Scene::parse(presets::find("four-bar").unwrap().text, "four-bar").unwrap();
         let point = point.mechanism.point_ids().nth(3);
         let lines = lines(vec![
@@ -466,7 +466,7 @@ mod tests {
     }
 
     #[test]
-    fn names_fit_their_column_and_need_no_quotes() {
+    fn method_names_fit_column_and_need_no_quotes() {
         for method in crate::study::all_methods(crate::study::USUAL_CYCLES) {
             let name = method_name(method);
             assert!(name.len() <= NAME - 3 && !name.contains(','), "{name}");
@@ -474,10 +474,10 @@ mod tests {
     }
 
     #[test]
-    fn times_take_the_unit_in_which_they_are_short() {
+    fn times_use_shortest_unit() {
         let told = [9.994e-7, 9.996e-7, 1e-9, 0.0123, 2.0].map(|t| time_text(t, TIME_DIGITS));
         assert_eq!(told, ["999 ns", "1.00 us", "1.00 ns", "12.3 ms", "2.00 s"]);
-        // A wild sample stays in the unit of the median.
+        // An outlier keeps the unit of the median.
         let wild = Spread {
             low: 5e-8,
             median: 6e-8,

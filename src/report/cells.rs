@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quote_too_many_swallows_no_line() {
+    fn unmatched_quote_does_not_swallow_lines() {
         let rows = read(b"a,b,\"c\nd,e,\"1,5\"\ng,h,i\n");
         assert_eq!(rows, [["a", "b", "c"], ["d", "e", "1,5"], ["g", "h", "i"]]);
         for text in ["a,b\n\n\n\"c\",d\ne,f\n", "a,b\r\n\r\n\r\nc,d\r\ne,f"] {
@@ -113,7 +113,7 @@ mod tests {
     }
 
     #[test]
-    fn utf_16_is_read() {
+    fn utf16_is_decoded() {
         let text = "\u{feff}student;Ay\u{15f}e\r\nr3.angle;1,5\r\n";
         let little: Vec<u8> = text.encode_utf16().flat_map(u16::to_le_bytes).collect();
         let big: Vec<u8> = text.encode_utf16().flat_map(u16::to_be_bytes).collect();

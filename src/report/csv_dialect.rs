@@ -157,7 +157,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_comma_is_never_both() {
+    fn comma_cannot_be_decimal_mark_and_separator() {
         use CellSeparator::{Comma, Semicolon, Tab};
         let of = |decimal, separator| Some(CsvDialect::of(decimal, separator)?.separator());
         assert_eq!(of(DecimalMark::Point, None), Some(','));
@@ -172,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_have_the_mark_and_names_stay() {
+    fn decimal_mark_applies_only_to_numbers() {
         let dialect = CsvDialect::of(DecimalMark::Comma, None).unwrap();
         let mut bytes = Vec::new();
         let mut sheet = CsvSheet::new(dialect, &mut bytes);

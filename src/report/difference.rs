@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_differs_from_itself_by_nothing() {
+    fn scene_has_no_difference_from_itself() {
         for preset in presets::all() {
             let tables = tables(preset.text, 77.0);
             let differences = all(&difference(&tables, &tables, 1.0));
@@ -232,7 +232,7 @@ mod tests {
     }
 
     #[test]
-    fn a_longer_crank_differs_by_its_length() {
+    fn longer_crank_differs_by_added_length() {
         let longer = four_bar().replace("length = 100", "length = 101");
         let (this, other) = (tables(&longer, 60.0), tables(four_bar(), 60.0));
         let found = difference(&this, &other, 1.0);
@@ -240,12 +240,12 @@ mod tests {
         assert_eq!(crank.name, "r2");
         assert_eq!(crank.length.unwrap()[0].value, Some(1.0));
         assert_eq!(crank.direction[0].value, Some(0.0));
-        // B moves at 15 rad/s on a circle that is 1 mm larger: 15 mm/s more.
+        // B moves at 15 rad/s on a circle with a radius 1 mm larger, so 15 mm/s faster.
         let b = found.points.iter().find(|p| p.name == "B").unwrap();
         let [_, _, speed, bearing] = b.motion[1].unwrap().entries(false);
         assert!((speed.value.unwrap() - 15.0).abs() < 1e-12, "{speed:?}");
         assert_eq!(bearing.value, Some(0.0));
-        // The coupler: by its figures in both tables.
+        // The coupler's difference follows from its values in both tables.
         let theta = |t: &Tables| t.vectors[1].direction[0].value.unwrap();
         let apart = found.vectors[1].direction[0];
         assert!((apart.value.unwrap() - (theta(&this) - theta(&other))).abs() < 1e-12);
@@ -255,9 +255,9 @@ mod tests {
         );
     }
 
-    /// Whatever the true figures are that two bounds leave room for, their difference is within its own.
+    /// For any true values within both bounds, their difference is within its own bound.
     #[test]
-    fn the_bound_of_a_difference_holds_where_it_is_shown_as_nothing() {
+    fn bound_of_difference_shown_as_zero_holds() {
         let entry = |value: f64, bound: f64| Entry {
             value: Some(value),
             given: false,
@@ -288,7 +288,7 @@ mod tests {
         let (millimetres, metres) = (tables(four_bar(), 60.0), tables(&metres, 60.0));
         for (this, other, scale) in [(&millimetres, &metres, 1e3), (&metres, &millimetres, 1e-3)] {
             for entry in all(&difference(this, other, scale)) {
-                // What is left of the bounds is shown as it is, not hidden.
+                // A remainder within the bounds is shown, not hidden.
                 let value = entry.value.unwrap_or(0.0);
                 assert!(value.abs() <= entry.bound.unwrap_or(0.0), "{entry:?}");
             }
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn directions_differ_the_short_way_round() {
+    fn direction_differences_take_shorter_turn() {
         let angle = |value| Entry {
             value: Some(value),
             given: false,

@@ -134,7 +134,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_zero_is_off_by_what_it_hides() {
+    fn bound_of_shown_zero_includes_hidden_value() {
         let entry = Entry {
             value: Some(3e-17),
             given: false,

@@ -210,9 +210,10 @@ mod tests {
     use super::*;
     use crate::report::Check;
 
-    /// The rod's slide of [100, 380] is met at cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s), 32.0734 deg.
+    /// The rod's limit of [100, 380] is reached at cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s),
+    /// 32.0734 deg.
     #[test]
-    fn a_motion_that_passes_a_stop_is_told_with_stop_place_and_time() {
+    fn motion_beyond_stop_is_reported_with_stop_place_and_time() {
         let text = |limits: &str| {
             format!(
                 "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\nmotion = [{{ law = \
@@ -250,7 +251,7 @@ mod tests {
         let (told, json) = check("rod = [100, 500]\n");
         assert!(!told.contains("the motion over time passes"), "{told}");
         assert!(json["motion"]["leaves"].is_null());
-        // Neither end of it is ever met.
+        // Neither end of the range is ever reached.
         assert!(
             told.contains("never reached: rod from 100 to 500 mm"),
             "{told}"

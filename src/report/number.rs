@@ -126,7 +126,7 @@ mod tests {
     use proptest::prelude::*;
 
     #[test]
-    fn significant_digits_count_from_the_first_that_is_not_zero() {
+    fn significant_digits_start_at_first_nonzero_digit() {
         let cases = [
             (29.379_447_783_733_73, "29.3794"),
             (-3.916_412_730_164_438, "-3.91641"),
@@ -146,14 +146,14 @@ mod tests {
     }
 
     #[test]
-    fn a_direction_that_rounds_to_a_full_turn_is_0() {
+    fn direction_that_rounds_to_full_turn_is_zero() {
         assert_eq!(direction(359.999_99, 6), "0");
         assert_eq!(direction(359.999_99, 8), "359.99999");
         assert_eq!(direction(360.0 - 1e-12, 12), "0");
     }
 
     #[test]
-    fn the_shortest_form_stays_short() {
+    fn shortest_form_has_no_redundant_digits() {
         assert_eq!(written(60.0), "60");
         assert_eq!(written(-0.0), "0");
         assert_eq!(written(0.1), "0.1");
@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn a_given_figure_has_no_more_digits_than_it_needs() {
+    fn given_values_have_no_superfluous_digits() {
         assert_eq!(concise(15.0, 6), "15");
         assert_eq!(concise(-0.0, 6), "0");
         assert_eq!(concise(0.523_598_775_598_298_8, 6), "0.523599");
@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn digits_beyond_a_bound_are_not_known() {
+    fn known_digits_end_at_error_bound() {
         for (value, bound, known) in [
             (41.409_621_7, 2.1e-6, 7),
             (41.409_621_7, 1e-9, 9),
@@ -195,7 +195,7 @@ mod tests {
     }
 
     #[test]
-    fn a_bound_is_rounded_up() {
+    fn error_bounds_are_rounded_up() {
         assert_eq!(upwards(2.01e-13, 2), "2.1e-13");
         assert_eq!(upwards(2.1e-13, 2), "2.1e-13");
         assert_eq!(upwards(9.91e-13, 2), "1.0e-12");
@@ -238,10 +238,10 @@ mod tests {
         text
     }
 
-    /// Powers of two and ten and their neighbours: where digits run out unevenly, where two shortest
-    /// decimals are equally near, and where the form changes.
+    /// Powers of two and ten and their neighbours: here the spacing of doubles changes, two
+    /// shortest decimals are equally near, or the notation changes.
     #[test]
-    fn the_shortest_form_is_that_of_the_standard_library() {
+    fn shortest_form_matches_std_at_edge_cases() {
         let twos = (0..2047_u64).map(|e| f64::from_bits(e << 52));
         let tens = (-323..309).map(|e| format!("1e{e}").parse::<f64>().unwrap());
         let smallest = (1..1000).map(f64::from_bits);
@@ -258,7 +258,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4096))]
         #[test]
-        fn any_double_is_written_as_by_the_standard_library(bits: u64, whole: i64, places in 0..12) {
+        fn shortest_form_of_any_double_matches_std(bits: u64, whole: i64, places in 0..12) {
             let decimal = whole as f64 / 10_f64.powi(places);
             for value in [f64::from_bits(bits), whole as f64, decimal, decimal / 1e12] {
                 prop_assume!(value.is_finite());
@@ -269,14 +269,14 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_written_bound_is_never_smaller(bound in prop::num::f64::POSITIVE, digits in 1_usize..4) {
+        fn rounded_bound_is_never_smaller(bound in prop::num::f64::POSITIVE, digits in 1_usize..4) {
             let written: f64 = upwards(bound, digits).parse().unwrap();
             prop_assert!(written >= bound, "{written:e} < {bound:e}");
             prop_assert!(written <= bound * 2.01 || bound < 1e-300, "{written:e} for {bound:e}");
         }
 
         #[test]
-        fn every_double_reads_back(bits: u64) {
+        fn every_double_round_trips(bits: u64) {
             let value = f64::from_bits(bits);
             prop_assume!(value.is_finite() && value.to_bits() != (-0.0_f64).to_bits());
             let text = written(value);

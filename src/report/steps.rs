@@ -297,7 +297,7 @@ mod tests {
     }
 
     #[test]
-    fn tenths_are_the_nearest_doubles_and_the_end_is_hit() {
+    fn tenths_are_nearest_doubles_and_include_end() {
         let rows = rows("0", "360", "0.1");
         assert_eq!(rows.len(), 3601);
         for (k, row) in rows.iter().enumerate() {
@@ -307,7 +307,7 @@ mod tests {
     }
 
     #[test]
-    fn ends_signs_and_single_rows() {
+    fn steps_accept_signs_exponents_and_single_rows() {
         assert_eq!(rows("-10", "10", "10"), [-10.0, 0.0, 10.0]);
         assert_eq!(rows("10", "-10", "-10"), [10.0, 0.0, -10.0]);
         assert_eq!(rows("0", "1", "0.3"), [0.0, 0.3, 0.6, 0.9]);
@@ -317,7 +317,7 @@ mod tests {
     }
 
     #[test]
-    fn an_end_that_is_not_hit_can_have_its_own_row() {
+    fn end_off_the_grid_can_have_its_own_row() {
         let ends = |step| {
             let steps = steps("0", "1", step).unwrap().ending_on(1.0);
             assert_eq!(steps.count() as usize, steps.iter().count());
@@ -328,7 +328,7 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_no_sweep_is_refused() {
+    fn sweep_rejects_zero_opposite_and_tiny_steps() {
         assert_eq!(steps("0", "1", "0").unwrap_err(), StepsError::Zero);
         assert_eq!(steps("0", "1", "1e-999").unwrap_err(), StepsError::Zero);
         let away = steps("0", "1", "-0.5").unwrap_err();
@@ -349,7 +349,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_finite_decimal_is_refused() {
+    fn decimals_must_be_finite_and_well_formed() {
         for text in ["", "x", "60deg", "--1", "0x10"] {
             assert_eq!(
                 text.parse::<WrittenDecimal>(),
@@ -367,7 +367,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_too_long_for_exact_sums_are_fused() {
+    fn overlong_numbers_use_fused_multiply_add() {
         let rows = rows("1e25", "1.5e25", "1e24");
         assert_eq!(rows.len(), 6);
         let wide = steps("1e-30", "3", "1").unwrap();
@@ -381,7 +381,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn a_limit_is_its_own_first_row(bits: u64, step in 1..900_i32) {
+        fn first_row_equals_start(bits: u64, step in 1..900_i32) {
             let low = f64::from_bits(bits);
             prop_assume!(low.is_finite() && low.abs() < 1e12);
             let from = WrittenDecimal::of(low).unwrap();
@@ -393,7 +393,7 @@ mod tests {
         }
 
         #[test]
-        fn any_row_is_the_nearest_double(from in -1_000_000_i64..1_000_000, step in 1..100_000_i64, places in 0..30_u32, k in 0..2_000_u64) {
+        fn every_row_is_nearest_double(from in -1_000_000_i64..1_000_000, step in 1..100_000_i64, places in 0..30_u32, k in 0..2_000_u64) {
             let at = |n: i64| format!("{n}e-{places}");
             let to = from + step * 2_000;
             let steps = Steps::new(decimal(&at(from)), decimal(&at(to)), decimal(&at(step))).unwrap();

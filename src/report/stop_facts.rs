@@ -156,9 +156,9 @@ mod tests {
         )
     }
 
-    /// The places by the law of cosines: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
+    /// The positions by the law of cosines: cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s).
     #[test]
-    fn stops_are_told_with_their_places() {
+    fn stops_are_reported_with_their_positions() {
         let (text, verdict, json) = told("rod = [250, 380]\n");
         assert!(
             text.contains(
@@ -175,7 +175,7 @@ mod tests {
     }
 
     #[test]
-    fn other_limits_are_told_by_their_names() {
+    fn limits_are_reported_by_name() {
         let (text, verdict, _) = told(
             "rod = [200, 380]\nknee = { link = \"r3\", from = \"r2\", angle = [-123, -30] }\n",
         );
@@ -187,7 +187,7 @@ mod tests {
     }
 
     #[test]
-    fn what_turns_freely_has_none() {
+    fn fully_rotating_crank_reaches_no_stops() {
         let (text, verdict, json) = told("rod = [100, 500]\n");
         assert!(
             text.contains("stops      never reached: rod from 100 to 500 mm\n"),

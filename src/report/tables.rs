@@ -422,9 +422,9 @@ mod tests {
         Tables::bounded(&scene, &state, &enclosure)
     }
 
-    /// The driver's own figures are given, but not always in the form that is shown.
+    /// The driver's values are given, but not always in the unit shown.
     #[test]
-    fn what_is_given_in_another_form_has_the_bound_of_its_conversion() {
+    fn converted_driver_values_have_bound_of_conversion() {
         let driver = |speed: &str, at: f64| {
             let tables = tables(speed, at);
             tables.vectors[0]

@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn turkish_letters_are_decoded() {
+    fn windows_1254_letters_are_decoded() {
         let bytes =
             b"\xd6\xf0renci: Ay\xfee \xdd\xfe\xe7i, 38\xb0, \x93\xd0\xdeI\xfd\x94 \x96 5 m/s\xb2";
         let (text, encoding) = decoded(bytes);
@@ -82,7 +82,7 @@ mod tests {
     }
 
     #[test]
-    fn valid_utf_8_and_utf_16_are_what_they_say() {
+    fn valid_utf8_and_utf16_are_recognized() {
         let text = "Ayşe \u{b0}";
         assert_eq!(decoded(text.as_bytes()), (text.into(), TextEncoding::Utf8));
         assert_eq!(decoded(b""), ("".into(), TextEncoding::Utf8));

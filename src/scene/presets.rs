@@ -74,9 +74,9 @@ mod tests {
     use crate::scene::Scene;
     use crate::wording::Language;
 
-    /// A word that is changed in a preset makes its sentence one that nobody translated.
+    /// Changing a word of a preset leaves its sentence without a translation.
     #[test]
-    fn what_presets_say_is_said_in_turkish_too() {
+    fn preset_texts_have_turkish_translations() {
         Language::Turkish.speak();
         for preset in all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -95,7 +95,8 @@ mod tests {
                     figures.sort();
                     figures
                 };
-                // What is a figure in the one is a figure in the other, words apart: three legs, 3. week.
+                // Every number of the original is in the translation, except in words such as
+                // "three legs".
                 let (one, other) = (figures(text), figures(&said));
                 let lost = one.iter().find(|it| !other.contains(it));
                 assert_eq!(lost, None, "{said}");
@@ -104,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn a_title_is_that_of_the_language() {
+    fn preset_title_follows_language() {
         let scene = Scene::parse(find("kite").unwrap().text, "kite").unwrap();
         assert_eq!(scene.title(), "Kite");
         Language::Turkish.speak();

@@ -1,11 +1,11 @@
-//! The scene of a proposal is the mechanism that was judged.
+//! Tests that the scene of a proposal is the evaluated mechanism.
 
 use super::*;
 use crate::Vec2;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 
-/// Judges a proposal, and returns the candidate and its task's scene, opened.
+/// Evaluates a proposal, and returns the candidate and its task's scene, parsed.
 fn judged_and_opened(kind: TaskKind, proposal: &Proposal) -> (Candidate, Scene) {
     let task = Task {
         kind,
@@ -19,7 +19,7 @@ fn judged_and_opened(kind: TaskKind, proposal: &Proposal) -> (Candidate, Scene) 
     (candidate, scene)
 }
 
-/// The places of B, C and P in the scene, at an angle of its crank.
+/// Returns the positions of B, C and P in the scene at a crank angle.
 fn places(scene: &Scene, at: f64) -> [Option<Vec2>; 3] {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let mut state = solver.state();
@@ -31,9 +31,10 @@ fn places(scene: &Scene, at: f64) -> [Option<Vec2>; 3] {
     })
 }
 
-/// A linkage meets its own points when judged, and so does its scene: a four-bar and a slider-crank.
+/// A linkage passes through its own points when evaluated, and so does its scene. Covers a four-bar
+/// and a slider-crank.
 #[test]
-fn scene_of_a_proposal_moves_as_it_was_judged() {
+fn scene_of_proposal_moves_like_evaluated_linkage() {
     let b = |at: f64| Vec2::new(20.0, -10.0) + crate::angle::unit(at) * 100.0;
     let tracer_in_coupler = Vec2::new(0.4, 0.25);
     let angles = [10.0, 70.0, 150.0];

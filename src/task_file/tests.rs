@@ -1,4 +1,4 @@
-//! Tests of task files and their diagnostics.
+//! Tests task files and their diagnostics.
 
 use super::*;
 use crate::synthesis::{Given, Sense};
@@ -20,7 +20,7 @@ fn fault(text: &str) -> (String, String) {
 const POSES: &str = "kind = \"poses\"\nposes = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]\n";
 
 #[test]
-fn poses_are_read_with_what_is_given_and_wished() {
+fn pose_task_has_pivots_and_preferences() {
     let file = read(&format!(
         "name = \"lid\"\nunit = \"cm\"\n{POSES}pivots = [[0, -100], [\"10 in\", -100]]\n\
          [wishes]\ntransmission = 40\nfull-turn = true\ndirection = \"clockwise\"\n"
@@ -41,7 +41,7 @@ fn poses_are_read_with_what_is_given_and_wished() {
 }
 
 #[test]
-fn a_function_is_pairs_or_a_formula_over_a_range() {
+fn function_task_samples_formula_over_range() {
     let file = read(
         "kind = \"function\"\nfunction = { y = \"log10(x)\", from = 1, to = 2, points = 3 }\n\
          crank = { swing = 60, start = 45 }\noutput = { swing = 60 }\nsize = 50\n",
@@ -52,7 +52,7 @@ fn a_function_is_pairs_or_a_formula_over_a_range() {
     assert_eq!(task.pairs.len(), 3);
     assert!((task.pairs[1][1] - 1.5_f64.log10()).abs() < 1e-15);
     assert_eq!(task.between.len(), 181);
-    // 60 degrees from 1 to 2, 45 at 1.
+    // 60 degrees from x = 1 to x = 2, with 45 degrees at x = 1.
     assert_eq!(task.crank_scale, Given::Value(60.0));
     assert_eq!(task.crank_datum, Given::Value(-15.0));
     assert_eq!(task.output_datum, Given::Free);
@@ -62,9 +62,9 @@ fn a_function_is_pairs_or_a_formula_over_a_range() {
     assert!((scale - 60.0 / 2.0_f64.log10()).abs() < 1e-12);
 }
 
-/// `start` is told of the least x, where y is greatest if it falls.
+/// `start` belongs to the minimum x, where a decreasing function has its maximum y.
 #[test]
-fn a_falling_function_starts_at_its_least_x() {
+fn decreasing_function_starts_at_minimum_x() {
     for function in [
         "function = { y = \"1 / x\", from = 1, to = 2 }",
         "pairs = [[1, 1], [1.5, 0.7], [2, 0.5]]",
@@ -88,7 +88,7 @@ fn a_falling_function_starts_at_its_least_x() {
 }
 
 #[test]
-fn a_path_has_points_turns_and_weights() {
+fn path_task_has_points_turns_and_weights() {
     let file = read(
         "kind = \"path\"\nlinkages = [\"four-bar\", \"slider-crank\"]\nclosed = true\n\
          points = [[0, 0], [10, 0], [10, 10]]\nturns = [0, 120, 240]\nweights = [1, 2, 1]\n",
@@ -103,7 +103,7 @@ fn a_path_has_points_turns_and_weights() {
 }
 
 #[test]
-fn what_is_wrong_is_told_where_it_stands() {
+fn faults_point_at_their_place() {
     let path = "kind = \"path\"\n";
     let function = "kind = \"function\"\n";
     for (text, message, place) in [

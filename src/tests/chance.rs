@@ -1,4 +1,4 @@
-//! Chance that can be repeated.
+//! Generates reproducible random numbers.
 
 /// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
 pub(crate) struct Chance(pub(crate) u64);
@@ -11,29 +11,29 @@ impl Chance {
         mixed ^ (mixed >> 31)
     }
 
-    /// A number below `count`; 0 where that is 0.
+    /// Returns a number below `count`, or 0 if `count` is 0.
     pub(crate) fn below(&mut self, count: usize) -> usize {
         usize::try_from(self.next() % u64::try_from(count.max(1)).unwrap()).unwrap()
     }
 
-    /// The same of small numbers.
+    /// Returns a number below `count` as `u16`.
     #[cfg(feature = "tui")]
     pub(crate) fn small(&mut self, count: u16) -> u16 {
         u16::try_from(self.below(count.into())).unwrap()
     }
 
-    /// A number from `low` to `high`.
+    /// Returns a number from `low` to `high`.
     pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
         let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
         low + part * (high - low)
     }
 
-    /// Any byte.
+    /// Returns any byte.
     pub(crate) fn byte(&mut self) -> u8 {
         u8::try_from(self.below(256)).unwrap()
     }
 
-    /// One of several.
+    /// Returns one of several elements.
     pub(crate) fn one_of<'a, T>(&mut self, all: &'a [T]) -> &'a T {
         &all[self.below(all.len())]
     }

@@ -1,4 +1,4 @@
-//! Dead centres of slides.
+//! Tests the dead centres of slides.
 
 use crate::scene::Scene;
 use crate::solver::{DeadCentre, Solver};
@@ -21,10 +21,10 @@ fn close(found: &[DeadCentre], wanted: &[(f64, f64)]) {
     }
 }
 
-/// Crank 10 and rod 20 along a guide: stretched and folded where the crank lies on it. One of the
-/// guides lies where the crank is looked at first.
+/// A crank of 10 and a rod of 20 are in line with the guide at the dead centres. For one guide this
+/// is where the search starts.
 #[test]
-fn a_slider_crank_turns_where_crank_and_rod_are_in_line() {
+fn slider_crank_dead_centres_have_crank_and_rod_in_line() {
     for direction in [0.0, 0.25, 30.0, 200.0] {
         let text = format!(
             "unit = \"mm\"\n[ground]\nA = [0, 0]\n[driver]\nlink = \"crank\"\nangle = {}\n[links]\n\
@@ -52,7 +52,7 @@ const PUSHED: &str = "unit = \"mm\"\n[driver]\nslide = \"push\"\nposition = 60\n
     s = { point = \"Q\", on = \"ground\", through = [0, 0], angle = 90 }\n[start]\nQ = [0, 80]\n";
 
 #[test]
-fn the_ends_of_a_range_are_dead_centres_too() {
+fn ends_of_range_are_dead_centres() {
     close(
         &centres(PUSHED),
         &[(-100.0, 0.0), (0.0, 100.0), (100.0, 0.0)],
@@ -60,7 +60,7 @@ fn the_ends_of_a_range_are_dead_centres_too() {
 }
 
 #[test]
-fn a_slide_that_stands_still_has_none() {
+fn slide_at_rest_has_no_dead_centres() {
     let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [50, 0]\n[driver]\nlink = \"crank\"\nangle = 0\n[links]\n\
         crank = { from = \"A\", to = \"B\", length = 10 }\n\
         stay = { from = \"D\", to = \"E\", length = 20 }\n[slides]\n\

@@ -1,4 +1,4 @@
-//! The edge of the library: what a program that uses it leans on.
+//! Tests the public interface of the library as a dependent crate uses it.
 
 use crate::scene::{Diagnostics, Mistyped};
 use crate::solver::{Condition, Fault, Order, Solver, State, Workspace};
@@ -6,7 +6,7 @@ use crate::{Defect, Defects, Driver, Input, Mechanism, Vec2};
 use nalgebra::{Point2, Vector2};
 use std::error::Error;
 
-/// An error can be handed to another thread, boxed, and kept.
+/// Errors can be sent to other threads, boxed and stored.
 const fn is_an_error<E: Error + Send + Sync + 'static>() {}
 const fn goes_to_other_threads<T: Send + Sync + Clone + 'static>() {}
 
@@ -27,7 +27,8 @@ const _: () = {
     goes_to_other_threads::<Workspace>();
 };
 
-/// The speed of the rocker of a four-bar: with `?` from the builder to the figure.
+/// Returns the rocker's angular velocity of a four-bar, with `?` at every step from the builder to
+/// the value.
 fn rocker(crank: f64) -> Result<f64, Box<dyn Error + Send + Sync>> {
     let mut builder = Mechanism::builder();
     let a = builder.ground_point(0.0, 0.0);
@@ -53,7 +54,7 @@ fn rocker(crank: f64) -> Result<f64, Box<dyn Error + Send + Sync>> {
 }
 
 #[test]
-fn every_step_of_a_program_can_fail_with_a_question_mark() {
+fn question_mark_operator_works_at_every_step() {
     assert!(rocker(1.0).unwrap().is_finite());
     let unsound = rocker(-1.0).unwrap_err();
     assert_eq!(
@@ -65,7 +66,7 @@ fn every_step_of_a_program_can_fail_with_a_question_mark() {
 }
 
 #[test]
-fn all_defects_are_told_in_one_message() {
+fn message_lists_all_defects() {
     let mut builder = Mechanism::builder();
     let (a, b) = (builder.ground_point(0.0, f64::NAN), builder.moving_point());
     builder.link(a, b, 0.0);
@@ -79,7 +80,7 @@ fn all_defects_are_told_in_one_message() {
 }
 
 #[test]
-fn vectors_and_points_of_nalgebra_come_in_and_go_out() {
+fn vectors_convert_from_and_to_nalgebra() {
     let v = Vec2::new(1.5, -2.0);
     let (vector, point): (Vector2<f64>, Point2<f64>) = (v.into(), v.into());
     assert_eq!(
@@ -89,9 +90,9 @@ fn vectors_and_points_of_nalgebra_come_in_and_go_out() {
     assert_eq!((Vec2::from(vector), Vec2::from(point)), (v, v));
 }
 
-/// A solver keeps what it solves: nobody has to hand it back, or could hand it another one.
+/// A solver owns its mechanism, so that a caller cannot pass a wrong one.
 #[test]
-fn a_solver_keeps_its_mechanism() {
+fn solver_owns_its_mechanism() {
     let mut builder = Mechanism::builder();
     let (a, b) = (builder.ground_point(0.0, 0.0), builder.moving_point());
     let link = builder.link(a, b, 2.0);

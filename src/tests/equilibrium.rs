@@ -1,5 +1,5 @@
-//! Every link and every pin is in equilibrium under any load: all presets, loaded at random, at random
-//! places of the motion.
+//! Tests that every link and pin is in equilibrium: all presets with random loads, at random
+//! positions of the motion.
 
 use super::Chance;
 use crate::PointId;
@@ -8,7 +8,7 @@ use crate::scene::{Scene, presets};
 use crate::solver::testing::check_equilibrium;
 use crate::solver::{Condition, Indeterminate, Order, Solver};
 
-/// A preset with a mass for every link, weights, a force, a torque, a spring and a damper.
+/// Returns a preset with a mass for every link, gravity, a force, a torque, springs and dampers.
 fn loaded(text: &str, chance: &mut Chance) -> String {
     let mut out = String::from("gravity = [1.5, -9.81]\n");
     let mut section = "";
@@ -51,7 +51,8 @@ fn loaded(text: &str, chance: &mut Chance) -> String {
     out
 }
 
-/// Springs of every kind from a point to one of the ground, and from a link to the ground and to another link.
+/// Returns springs of every kind from a point to the ground, and from a link to the ground and to
+/// another link.
 fn sprung(text: &str, (point, link): (&str, &str), number: &mut impl FnMut() -> f64) -> String {
     let scene = Scene::parse(text, "preset").unwrap();
     let mechanism = &scene.mechanism;
@@ -96,12 +97,12 @@ fn sprung(text: &str, (point, link): (&str, &str), number: &mut impl FnMut() -> 
     out
 }
 
-/// The ends of a motion.
+/// Returns the ends of the motion.
 fn ends(solver: &Solver) -> (f64, f64) {
     solver.motion().range.ends()
 }
 
-/// Checks some random places of a motion.
+/// Checks random positions of a motion.
 fn check(name: &str, solver: &Solver, chance: &mut Chance) {
     let (low, high) = ends(solver);
     let places: Vec<f64> = (0..20).map(|_| chance.within(low, high)).collect();
@@ -110,7 +111,7 @@ fn check(name: &str, solver: &Solver, chance: &mut Chance) {
 }
 
 #[test]
-fn every_link_and_every_pin_of_every_preset_is_in_equilibrium() {
+fn presets_are_in_equilibrium_under_random_loads() {
     let mut chance = Chance(7);
     for preset in presets::all() {
         let text = loaded(preset.text, &mut chance);
@@ -120,10 +121,10 @@ fn every_link_and_every_pin_of_every_preset_is_in_equilibrium() {
     }
 }
 
-/// The same of mechanisms whose every length is off by up to a twentieth of the longest, as far as they
-/// still assemble.
+/// Every length is changed by up to a twentieth of the longest; mechanisms that no longer assemble
+/// are skipped.
 #[test]
-fn and_so_is_every_link_of_linkages_at_random() {
+fn linkages_with_random_lengths_are_in_equilibrium() {
     let mut chance = Chance(8);
     let mut opened = 0;
     for preset in presets::all().iter().cycle().take(200) {
@@ -142,7 +143,7 @@ fn and_so_is_every_link_of_linkages_at_random() {
     assert!(opened > 60, "only {opened} of 200 could be assembled");
 }
 
-/// The ways in which guides, locks and coupled groups come together that no preset has.
+/// Combinations of guides, locks and coupled groups that occur in no preset.
 const RARE: [(&str, &str); 10] = [
     (
         "arms that go over locked links, to a rocker",
@@ -372,7 +373,7 @@ C = [180, 140]
     ),
 ];
 
-/// Linkages with more constraints than they need, and the reactions that are therefore open.
+/// Overconstrained linkages and their statically indeterminate reactions.
 const REDUNDANT: [(&str, &str, &[&str]); 3] = [
     (
         "a trammel with a crank, which opens where one guide is not pressed",
@@ -453,9 +454,9 @@ Z = [200, 200]
     ),
 ];
 
-/// As the self-stresses by hand have it.
+/// The expected reactions follow from the self-stresses, computed by hand.
 #[test]
-fn a_reaction_is_open_where_a_constraint_repeats_others_and_nowhere_else() {
+fn only_reactions_of_redundant_constraints_are_indeterminate() {
     let mut chance = Chance(11);
     for (name, text, open) in REDUNDANT {
         let text = loaded(text, &mut chance);
@@ -476,7 +477,7 @@ fn a_reaction_is_open_where_a_constraint_repeats_others_and_nowhere_else() {
 }
 
 #[test]
-fn and_so_is_every_link_where_guides_and_locks_come_together() {
+fn rare_guides_and_locks_are_in_equilibrium() {
     let mut chance = Chance(10);
     for (name, text) in RARE {
         let text = loaded(text, &mut chance);
@@ -487,9 +488,9 @@ fn and_so_is_every_link_where_guides_and_locks_come_together() {
     }
 }
 
-/// Held against the same in twice the precision.
+/// Compares with a solution in twice the precision.
 #[test]
-fn no_bound_of_a_force_is_smaller_than_its_error() {
+fn force_error_never_exceeds_its_bound() {
     let mut chance = Chance(9);
     let presets = presets::all().iter().map(|p| (p.name, p.text));
     for (name, text) in presets.chain(RARE) {
@@ -531,7 +532,8 @@ fn no_bound_of_a_force_is_smaller_than_its_error() {
         }
         over.sort_by(f64::total_cmp);
         let median = over[over.len() / 2];
-        // Nor is a bound large as a matter of course; but a long chain widens what each group is given.
+        // A bound is also not much larger than the error, except after a long chain, which widens
+        // the input of each group.
         let is_long = solver.plan().groups.len() > 8;
         assert!(is_long || median < 1e3, "{name}: {median} times the error");
         assert!(unproved * 10 < proved, "{}: {unproved} of {proved}", name);

@@ -1,10 +1,10 @@
-//! Fuzzing on a stable toolchain: inputs are changed by chance, and one that leads to an outcome that no other has
-//! led to is kept and changed further.
+//! Fuzzes on a stable toolchain: inputs are mutated at random. A mutated input with a new outcome
+//! is kept and mutated further.
 //!
-//! `cargo test` replays the corpus in `tests/corpus` and feeds a fixed number of changed inputs, from the same seed.
-//! `KRANK_FUZZ=3600 cargo test --release --lib fuzz -- --nocapture` goes on for an hour, from another seed each
-//! time; what it keeps is written to the folder that `KRANK_FUZZ_KEEP` names. A finding is printed, and
-//! belongs into the corpus once it is mended.
+//! `cargo test` replays the corpus in `tests/corpus` and tries a fixed number of mutated inputs,
+//! from a fixed seed. `KRANK_FUZZ=3600 cargo test --release --lib fuzz -- --nocapture` runs for an
+//! hour, from a new seed each time, and writes kept inputs to the folder in `KRANK_FUZZ_KEEP`. A
+//! failing input is printed, and belongs in the corpus once the bug is fixed.
 
 use super::Chance;
 use std::collections::HashSet;
@@ -14,25 +14,25 @@ use std::panic::{self, AssertUnwindSafe};
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
-/// Longer inputs show nothing that shorter ones do not, later.
+/// Maximum length of an input, in bytes: longer ones are slower and find nothing more.
 const LONGEST: usize = 4096;
-/// An input that takes longer hangs, however busy the machine is.
+/// Maximum time for an input; a longer one counts as a hang, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(600);
 
-/// A target with what it is fed.
+/// A fuzz target and its input.
 pub(crate) struct Fuzz<'a> {
-    /// Its name, and that of its folder in the corpus.
+    /// The target's name, and that of its folder in the corpus.
     pub(crate) name: &'a str,
-    /// Further folders whose files are fed first.
+    /// Further folders with initial inputs.
     pub(crate) seeds: &'a [&'a str],
-    /// Pieces that chance alone would seldom make.
+    /// Fragments that random bytes rarely form.
     pub(crate) words: &'a [&'a str],
-    /// Changed inputs of an ordinary run.
+    /// Number of mutated inputs by default.
     pub(crate) runs: u64,
 }
 
 impl Fuzz<'_> {
-    /// Feeds the target; it says in a number what came of an input.
+    /// Runs the target on the inputs. The target returns a number that identifies the outcome.
     #[allow(clippy::print_stdout, reason = "the figures are to be read")]
     pub(crate) fn run(&self, target: impl Fn(&[u8]) -> u64) {
         let mut pool = self.corpus();
@@ -79,7 +79,7 @@ impl Fuzz<'_> {
         found
     }
 
-    /// One of the inputs, changed in a few places.
+    /// Returns one of the inputs, changed in a few places.
     fn changed(&self, pool: &[Vec<u8>], chance: &mut Chance) -> Vec<u8> {
         let mut input = chance.one_of(pool).clone();
         for _ in 0..=chance.below(4) {
@@ -98,7 +98,7 @@ impl Fuzz<'_> {
                     piece
                 }
             };
-            // In place of what stands there, or before it.
+            // The piece replaces a range, or is inserted before it.
             let to = if chance.below(2) == 0 { from } else { to };
             input.splice(from..to, piece);
             input.truncate(LONGEST);
@@ -107,7 +107,7 @@ impl Fuzz<'_> {
     }
 }
 
-/// Numbers at the edges.
+/// Extreme and malformed numbers.
 const NUMBERS: [&str; 14] = [
     "0",
     "-0.0",
@@ -125,7 +125,7 @@ const NUMBERS: [&str; 14] = [
     "9999999999999999999999",
 ];
 
-/// Mostly short pieces are exchanged.
+/// Returns the maximum length of a replaced piece, which is short for short inputs.
 fn chance_length(length: usize) -> usize {
     (length / 4).clamp(1, 64)
 }
@@ -170,7 +170,8 @@ fn now() -> u64 {
     u64::try_from(since.as_nanos() % u128::from(u64::MAX)).unwrap()
 }
 
-/// A message without what it quotes and counts: messages of one shape are one outcome.
+/// Returns a message without quoted parts and numbers: messages of equal shape count as one
+/// outcome.
 pub(crate) fn shape(message: &str) -> String {
     let plain = message.split('`').step_by(2);
     let letters = plain.map(|part| part.replace(|c: char| !c.is_ascii_alphabetic(), ""));

@@ -1,4 +1,4 @@
-//! Checks of the solver's internals on every preset.
+//! Checks internals of the solver on every preset.
 
 use crate::scene::{Scene, presets};
 use crate::solver::testing::{
@@ -7,7 +7,7 @@ use crate::solver::testing::{
 };
 use crate::solver::{GroupKind, Order, Solver};
 
-/// Every preset's name and solver.
+/// Returns every preset's name and solver.
 fn solvers() -> impl Iterator<Item = (&'static str, Solver)> {
     presets::all().iter().map(|preset| {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -21,7 +21,7 @@ fn solver(wanted: &str) -> Solver {
 }
 
 #[test]
-fn lanes_give_the_same_bits_as_single_states() {
+fn lanes_are_bit_identical_to_single_states() {
     for (name, solver) in solvers() {
         eprintln!("{name}");
         let mut groups = solver.plan().groups.iter();
@@ -38,7 +38,7 @@ fn lanes_give_the_same_bits_as_single_states() {
 }
 
 #[test]
-fn bounds_without_vector_instructions_have_the_same_bits() {
+fn bounds_without_simd_are_bit_identical() {
     let compared: u32 = solvers()
         .map(|(name, solver)| {
             eprintln!("{name}");
@@ -49,7 +49,7 @@ fn bounds_without_vector_instructions_have_the_same_bits() {
 }
 
 #[test]
-fn bounds_of_a_disturbed_state_contain_the_truth() {
+fn bounds_of_disturbed_state_contain_true_values() {
     for (name, solver) in solvers() {
         eprintln!("{name}");
         check_bounds_of_a_disturbed_state(&solver);
@@ -57,14 +57,14 @@ fn bounds_of_a_disturbed_state_contain_the_truth() {
 }
 
 #[test]
-fn shared_sums_find_the_same_extreme_transmission_angles() {
+fn shared_sums_find_equal_extreme_transmission_angles() {
     let compared: u32 = solvers()
         .map(|(name, solver)| {
             eprintln!("{name}");
             compare_extremes(&solver)
         })
         .sum();
-    // Most presets turn back right at a sample, and need none: 23 places are left.
+    // In most presets the extrema are exactly at a sample and need no search; 23 positions remain.
     assert!(compared >= 20, "{compared}");
 }
 

@@ -1,23 +1,23 @@
-//! Distances of groups from their singularities.
+//! Tests the distances of groups from their singularities.
 
 use crate::scene::{Scene, presets};
 use crate::solver::Solver;
 
 #[test]
-fn a_dyad_tells_the_square_of_its_sine() {
+fn dyad_margin_is_squared_sine_of_transmission_angle() {
     let preset = presets::find("four-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
     let mut work = solver.state();
     let margins = solver.margins(60.0, &mut work).unwrap();
-    // The lectures' transmission angle at 60 deg, from the reference values.
+    // The sine of the lectures' transmission angle at 60 deg, from the reference values.
     let sine: f64 = 0.988_685_996_664_259_4;
     assert!((margins[1] - sine * sine).abs() < 1e-12, "{margins:?}");
     assert_eq!(margins[0], 1.0);
 }
 
 #[test]
-fn a_coupled_group_is_measured_where_it_stands() {
+fn coupled_group_margin_depends_on_position() {
     let preset = presets::find("stephenson-six-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();

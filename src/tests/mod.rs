@@ -1,4 +1,4 @@
-//! What tests that go by chance have in common, and those that concern several modules.
+//! Tests that concern several modules, and helpers for random tests.
 
 mod chance;
 mod dead_centres;

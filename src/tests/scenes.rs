@@ -1,5 +1,5 @@
-//! The loader of scenes, fed with anything: it ends with a scene that can be solved, or with messages that can be
-//! shown.
+//! Fuzzes the loader of scenes: any input yields a scene that can be solved, or messages that can
+//! be shown.
 
 use super::fuzz::{Fuzz, shape};
 use crate::quantity::check_figures;
@@ -8,7 +8,7 @@ use crate::scene::{Diagnostics, Scene, is_harmful};
 use crate::solver::{Condition, Order, Solver};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Scenes of more links take their time, and show nothing else.
+/// Maximum number of links: larger scenes are slow and find nothing more.
 const MOST_LINKS: usize = 40;
 
 const WORDS: &[&str] = &[
@@ -100,7 +100,7 @@ const WORDS: &[&str] = &[
 ];
 
 #[test]
-fn fuzz_the_loader_of_scenes() {
+fn fuzz_scene_loader() {
     let fuzz = Fuzz {
         name: "scenes",
         seeds: &["presets", "tests/broken", "tests/reference"],

@@ -1,13 +1,13 @@
-//! States at another driver speed.
+//! Tests states at another driver speed.
 
 use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 use crate::{DriverMoment, Input};
 
-/// Everything that a solver of that speed finds, forces and bounds included.
+/// Compares all values with a solver at that speed, including forces and error bounds.
 #[test]
-fn a_driven_state_is_that_of_a_solver_at_this_speed() {
+fn driven_state_matches_solver_at_that_speed() {
     for name in ["four-bar", "excavator-boom", "press-ram", "press"] {
         let scene = Scene::parse(presets::find(name).unwrap().text, name).unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -48,7 +48,7 @@ fn a_driven_state_is_that_of_a_solver_at_this_speed() {
 }
 
 #[test]
-fn another_speed_gives_what_a_scene_of_that_speed_gives() {
+fn solver_at_speed_matches_scene_with_that_speed() {
     for (name, given, other) in [
         ("four-bar", "15 rad/s", "-2.5 rad/s"),
         ("excavator-boom", "0.15 m/s", "-0.4 m/s"),

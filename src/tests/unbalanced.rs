@@ -1,5 +1,5 @@
-//! What a machine whose forces do not balance comes to, in every front end. No machine of the present
-//! solver is one: so one step is handed down twice, as a fault of its order would.
+//! Tests how every front end treats forces that do not balance. The present solver never produces
+//! any, so the tests repeat the pass of the last group, as a fault in the order of passes would.
 
 use crate::cli;
 use crate::quantity::{Catalogue, Quantity, Share, Subject};
@@ -8,7 +8,7 @@ use crate::solver::testing::falsified;
 use crate::solver::{Condition, Order, Solver, State};
 use std::process::{Command, ExitCode, Output};
 
-/// Presets on which something acts.
+/// Returns the presets with forces.
 fn acted() -> impl Iterator<Item = (&'static str, Scene)> {
     let scenes = presets::all().iter();
     let scenes = scenes.map(|p| (p.name, Scene::parse(p.text, p.name).unwrap()));
@@ -28,7 +28,7 @@ fn is_residual(quantity: &Quantity) -> bool {
     )
 }
 
-/// Ordinary places of the motion.
+/// Returns regular positions of the motion.
 fn places(solver: &Solver) -> Vec<f64> {
     let (low, high) = solver.motion().range.ends();
     let places = (1..100).map(|k| low + (high - low) * f64::from(k) / 100.3);
@@ -41,7 +41,7 @@ fn shown(figures: &[Quantity], state: &State, residuals: bool) -> usize {
 }
 
 #[test]
-fn forces_that_balance_are_shown_and_those_that_do_not_are_not() {
+fn only_balanced_forces_are_shown() {
     for (name, scene) in acted() {
         let figures = forces(&scene);
         for falsify in [false, true] {
@@ -58,7 +58,7 @@ fn forces_that_balance_are_shown_and_those_that_do_not_are_not() {
                     }
                     let is_hidden = state.withheld().is_some();
                     assert!(falsify || !is_hidden, "{name} at {at}: {state:?}");
-                    // The residuals are there to be looked at.
+                    // The residuals stay visible for inspection.
                     assert_eq!(shown(&figures, &state, true), 4, "{name} at {at}");
                     assert_eq!(
                         shown(&figures, &state, false) == 0,
@@ -71,17 +71,18 @@ fn forces_that_balance_are_shown_and_those_that_do_not_are_not() {
                 let at_once = solver.solve_lanes(all, Order::Force, &mut lanes);
                 assert!(!(at_once && state.withheld().is_some()), "{name} at {at}");
             }
-            // At some places what is doubled may be nothing.
+            // At some positions the repeated pass may have no effect.
             let least = if falsify { places.len() * 9 / 10 } else { 0 };
             assert!(hidden >= least, "{name}: only {hidden} withheld");
         }
     }
 }
 
-/// Marks the process in which the program is falsified, and has its arguments.
+/// The environment variable that marks the process with a falsified solver, and contains its
+/// arguments.
 const ARGUMENTS: &str = "KRANK_TEST_UNBALANCED";
 
-/// The program with a falsified solver, in a process of its own.
+/// Runs the program with a falsified solver in a separate process.
 fn krank(arguments: &str) -> Output {
     let test = "tests::unbalanced::the_program";
     Command::new(std::env::current_exe().unwrap())
@@ -108,7 +109,7 @@ fn the_program() {
 }
 
 #[test]
-fn every_command_withholds_forces_that_do_not_balance_says_so_and_fails() {
+fn commands_hide_and_report_unbalanced_forces_and_fail() {
     for (arguments, said, shown) in [
         (
             "sweep four-bar-load --columns driver.torque,driver.torque.residual,r3.B.fx,B.x --from 0 --to 20 --step 10",
@@ -160,14 +161,14 @@ fn every_command_withholds_forces_that_do_not_balance_says_so_and_fails() {
         assert!(out.contains(shown), "{arguments}: {out}");
         assert!(told.contains("please report it"), "{arguments}: {told}");
     }
-    // What needs no forces goes on.
+    // Commands without forces succeed.
     let done = krank("sweep four-bar-load --columns B.x --from 0 --to 20 --step 10");
     assert_eq!(done.status.code(), Some(0), "{done:?}");
 }
 
 #[cfg(feature = "tui")]
 #[test]
-fn every_view_that_has_forces_says_in_words_that_they_are_withheld() {
+fn force_views_report_unbalanced_forces() {
     use crate::capability::Colours;
     use crate::drawing::Glyphs;
     use crate::tui::{Opened, Origin, Workbench};
@@ -192,13 +193,13 @@ fn every_view_that_has_forces_says_in_words_that_they_are_withheld() {
         );
         assert!(screen.contains("please report it"), "{key}: {screen}");
     }
-    // The checks are what is left of the view of forces.
+    // Only the checks remain in the view of forces.
     let screen = look("5");
     assert!(
         screen.contains("off by") && !screen.contains("force on"),
         "{screen}"
     );
-    // The working tells of it further down.
+    // The working reports it further down.
     look("7");
     let found = (0..60).any(|_| look("PgDn").contains("are not shown: driver.torque.residual is"));
     assert!(found, "{}", look("7"));

@@ -1,4 +1,4 @@
-//! Solving with lengths changed in place.
+//! Tests solving with lengths changed in place.
 
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Demand, Order, Solver, Varied};
@@ -9,10 +9,11 @@ fn size(mechanism: &Mechanism) -> f64 {
     sizes.map(|m| m.local.norm()).fold(0.0, f64::max)
 }
 
-/// Every length of every preset, changed by a thousandth of the machine one after the other and all at once, gives
-/// what a mechanism built with that length gives, at places in random order.
+/// Changes every length of every preset by 1e-4 of the machine's size, one at a time and all at
+/// once. The result equals that of a mechanism built with these lengths, at positions in irregular
+/// order.
 #[test]
-fn lengths_in_place_are_those_of_a_mechanism_built_with_them() {
+fn lengths_changed_in_place_match_rebuilt_mechanism() {
     let mut compared = 0;
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -23,8 +24,8 @@ fn lengths_in_place_are_those_of_a_mechanism_built_with_them() {
             assert!(!solver.rank().redundancies.is_empty(), "{}", preset.name);
             continue;
         };
-        // A point by length and angle is turned on its circle, and not pushed along the tangent: by little enough
-        // both are the same.
+        // A point given by length and angle moves on its circle and not along the tangent; for
+        // small changes both agree.
         let straight = |l: &Length| !matches!(l, Length::Across(..));
         let by = 1e-4 * size(mechanism);
         for (i, &length) in lengths.iter().enumerate() {
@@ -53,7 +54,7 @@ fn lengths_in_place_are_those_of_a_mechanism_built_with_them() {
     assert!(compared > 2_000, "only {compared} states compared");
 }
 
-/// How many states were compared.
+/// Compares states over the motion, and returns their number.
 fn hold(
     (nominal, varied): (&Solver, &mut Varied),
     by: &[f64],
@@ -67,7 +68,7 @@ fn hold(
     let (low, high) = nominal.motion().range.ends();
     let mut state = solver.state();
     let mut compared = 0;
-    // Places of the golden section: near to each other in no order.
+    // Multiples of the golden ratio give well-distributed positions in irregular order.
     for k in 1..=8 {
         let at = low + (high - low) * (f64::from(k) * 0.618_033_988_749_895).fract();
         let clear =
@@ -95,9 +96,9 @@ fn hold(
     compared
 }
 
-/// In lanes the same as one by one, and back at the given lengths what the solver itself finds.
+/// Lanes equal single states, and restored lengths give the original solver's values.
 #[test]
-fn lanes_and_the_way_back_agree() {
+fn lanes_match_single_states_and_lengths_can_be_restored() {
     let preset = presets::find("press").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -128,9 +129,10 @@ fn lanes_and_the_way_back_agree() {
     }
 }
 
-/// A pin between two pivots that is moved along the ground: what follows from the ground is written into states.
+/// A fixed pivot is moved: values that depend only on the ground are stored in states, and must be
+/// updated.
 #[test]
-fn the_ground_moves_too() {
+fn ground_points_can_be_moved() {
     let preset = presets::find("four-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();

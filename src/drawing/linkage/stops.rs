@@ -131,7 +131,7 @@ mod tests {
     }
 
     #[test]
-    fn a_slide_has_a_tick_at_each_end_that_it_comes_to() {
+    fn slide_has_tick_at_each_reached_stop() {
         let found = lines("rod = [250, 380]");
         assert_eq!(found.len(), 2, "{found:?}");
         for ([from, to], end) in found.into_iter().zip([250.0, 380.0]) {
@@ -143,9 +143,10 @@ mod tests {
         assert_eq!(lines("rod = [100, 500]").len(), 0);
     }
 
-    /// Seen from the crank the rod is held between -123 and -30 deg: about B, from 60 - 123 to 60 - 30 deg.
+    /// Relative to the crank, the rod is limited to -123 to -30 deg; about B this is 60 - 123 to 60
+    /// - 30 deg.
     #[test]
-    fn an_angle_has_an_arc_with_its_ends_at_the_stops() {
+    fn angle_limit_has_arc_between_stops() {
         let found = lines("knee = { link = \"r3\", from = \"r2\", angle = [-123, -30] }");
         let pivot = angle::unit(60.0) * 100.0;
         let direction = |p: Vec2| angle::degrees(p - pivot);

@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_legend_tells_the_offsets_at_the_cursor() {
+    fn band_text_gives_offsets_at_cursor() {
         let along = [Some(0.0), Some(10.0), None, Some(20.0)];
         let even = [
             Some([-0.1, 0.1]),
@@ -87,11 +87,11 @@ mod tests {
         let uneven = [Some([-0.1, 0.2]), Some([0.0, 0.4]), None, Some([-0.1, 0.1])];
         let text = PlotBand::new(&along, &uneven).text(10.0).unwrap();
         assert!(text.starts_with("-0") && text.contains(" +0.4"), "{text}");
-        // As far below as above, but elsewhere.
+        // The largest offsets below and above are equal, but at different positions.
         let mirrored = [Some([-0.1, 0.2]), Some([-0.2, 0.1]), None, None];
         let text = PlotBand::new(&along, &mirrored).text(0.0).unwrap();
         assert!(text.starts_with("-0.1") && text.contains(" +0.2"), "{text}");
-        // A figure along x that turns back is met twice.
+        // An abscissa that reverses has two offsets at one position.
         let back = [Some(0.0), Some(10.0), None, Some(5.0)];
         assert_eq!(PlotBand::new(&back, &even).text(7.0), None);
     }

@@ -319,7 +319,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_of_fixed_data() {
+    fn chart_matches_snapshots() {
         let text = measured().render(60, 16, Glyphs::Ascii).text();
         insta::assert_snapshot!("chart-ascii-60x16", text);
         let text = measured().render(40, 10, Glyphs::Ascii).text();
@@ -329,15 +329,15 @@ mod tests {
     }
 
     #[test]
-    fn a_letter_whose_cell_is_taken_stands_beside_it() {
+    fn letter_moves_next_to_occupied_cell() {
         let text = measured().render(60, 16, Glyphs::Ascii).text();
         let near = |line: &str| line.contains("gh") || line.contains("hg");
         assert!(text.lines().any(near), "{text}");
     }
 
-    /// As far apart as doubles can be, on hardly any room.
+    /// Values near the ends of the range of `f64`, in a very small chart.
     #[test]
-    fn the_ends_of_the_doubles_fit_the_smallest_chart() {
+    fn extreme_doubles_fit_smallest_chart() {
         let datum = Datum {
             x: 4.179_692_941_387_758e177,
             y: 2.473_731_844_8e-310,
@@ -350,7 +350,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_data_fit_any_size(
+        fn any_data_render_at_any_size(
             data in prop::collection::vec((any::<f64>(), any::<f64>(), any::<bool>()), 0..30),
             (cols, rows) in (0_u16..100, 0_u16..40),
         ) {
@@ -364,7 +364,7 @@ mod tests {
         }
 
         #[test]
-        fn every_lonely_point_has_a_letter(x in 1e-3..1e9_f64, y in 1e-17..1.0_f64) {
+        fn single_point_has_a_letter(x in 1e-3..1e9_f64, y in 1e-17..1.0_f64) {
             let one = Datum { x, y, letter: 'x', best: true };
             let text = chart(vec![one]).render(60, 16, Glyphs::Ascii).text();
             prop_assert_eq!(text.matches('x').count(), 1, "{}", text);

@@ -465,9 +465,9 @@ mod tests {
         }
     }
 
-    /// The motor view had 20, 10 and 0 two rows apart, and 0 and -10 one row.
+    /// Regression: in the motor view 20, 10 and 0 were two rows apart, and 0 and -10 one row.
     #[test]
-    fn ticks_of_the_motor_view_are_evenly_spaced() {
+    fn vertical_ticks_of_motor_torque_are_evenly_spaced() {
         for height in 5..40 {
             let (scale, ticks) = upright_axis(&axis(-32.057, 28.719), 0, height);
             let found = rows(&scale, &ticks);
@@ -477,20 +477,20 @@ mod tests {
 
     proptest! {
         #[test]
-        fn ticks_are_evenly_spaced_in_rows(low in -1e3..1e3, size in 1e-3..1e4, height in 4..60) {
+        fn vertical_ticks_are_evenly_spaced(low in -1e3..1e3, size in 1e-3..1e4, height in 4..60) {
             let y = axis(low, low + size);
             let (scale, ticks) = upright_axis(&y, 0, height);
             let found = rows(&scale, &ticks);
             prop_assert!(are_spaced(&found), "{found:?}");
             prop_assert_eq!(found.len(), ticks.values.len());
-            // Everything is drawn, and most of the room is used.
+            // The axis covers all data and wastes little space.
             let (low, high) = scale.ends();
             prop_assert!(low <= y.low && high >= y.high && high - low <= 1.41 * size);
         }
 
-        /// The unit stands behind the last label or between the last two.
+        /// The unit follows the last label or is between the last two.
         #[test]
-        fn the_unit_leaves_every_label_its_place(low in -500.0..500.0, size in 1.0..2e3, width in 40..160) {
+        fn unit_does_not_overlap_tick_labels(low in -500.0..500.0, size in 1.0..2e3, width in 40..160) {
             let scale = CellScale::along(low, low + size, 0, width, INSET);
             let ticks = level_ticks(&scale, true, "deg", 0..width);
             let mut labels = level_labels(&ticks, &scale, width);
@@ -498,7 +498,7 @@ mod tests {
             let mut last = labels.pop().unwrap();
             let (before, unit) = unit_place(&last, "deg", width);
             prop_assert!(unit >= last.end() && unit + 3 <= width || unit + 3 < last.from);
-            // Where there is room for no more than two, the unit may take the place of the first.
+            // With room for at most two labels, the unit may replace the first.
             last.from = before;
             labels.push(last);
             let ends = labels.windows(2).map(|pair| pair[1].from - pair[0].end());

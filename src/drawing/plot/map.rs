@@ -368,7 +368,7 @@ fn walk(start: GridEdge, ways: &mut HashMap<GridEdge, Vec<GridEdge>>) -> Vec<Gri
 mod tests {
     use super::*;
 
-    /// x + y over 0, 1, 2 and 0, 1.
+    /// Returns the map of x + y for x in 0, 1, 2 and y in 0, 1.
     fn plane() -> GridMap {
         let heights = [0.0, 1.0, 1.0, 2.0, 2.0, 3.0].map(Some);
         let (along, up) = (vec![0.0, 1.0, 2.0], vec![0.0, 1.0]);
@@ -376,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn shades_rise_with_the_height() {
+    fn shades_increase_with_height() {
         let text = plane().text(24, 12);
         let lines: Vec<&str> = text.lines().collect();
         assert_eq!(lines[0], "h [mm]");
@@ -393,9 +393,9 @@ mod tests {
         assert!(text.is_ascii());
     }
 
-    /// A line of equal height of a plane is straight, and goes from edge to edge in one piece.
+    /// A contour line of a plane is straight, and goes from edge to edge in one piece.
     #[test]
-    fn a_line_of_a_plane_is_straight() {
+    fn contour_of_plane_is_straight() {
         let pieces = plane().line_at(1.5);
         assert_eq!(pieces.len(), 1, "{pieces:?}");
         assert_eq!(pieces[0].len(), 3);
@@ -405,9 +405,9 @@ mod tests {
         assert!(plane().line_at(9.0).is_empty());
     }
 
-    /// Round a hill the line is closed; through a hole there is none.
+    /// A contour line around a hill is closed, and absent at a missing value.
     #[test]
-    fn a_line_round_a_hill_closes() {
+    fn contour_around_hill_is_closed() {
         let side: Vec<f64> = (-5..=5).map(f64::from).collect();
         let mut heights = Vec::new();
         for x in &side {

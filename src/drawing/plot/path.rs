@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn strokes_step_from_row_to_row() {
+    fn line_glyphs_step_between_rows() {
         let points = [(3.5, 9.5), (6.5, 9.5), (7.5, 6.5), (10.5, 6.5), (11.5, 7.5)];
         let points = points.map(|(x, y)| Vec2::new(x, y));
         let text = drawn(&points, Glyphs::Line).text();
@@ -249,7 +249,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn every_sample_is_marked_and_nothing_outside(
+        fn samples_are_marked_only_inside_block(
             points in prop::collection::vec((-9.0..40.0_f64, -9.0..20.0_f64), 1..30),
             far in prop::sample::select(vec![0.0, 1e9, -1e300, f64::MAX]),
         ) {

@@ -82,7 +82,7 @@ fn made(lines: Vec<PlotCurve>) -> Plot {
 }
 
 #[test]
-fn small_plots_in_three_kinds_of_glyphs() {
+fn small_plots_match_snapshots() {
     let pair = plot("four-bar", &["C.v*", "r4.omega"], None);
     let here = Here {
         along: Some(60.0),
@@ -94,7 +94,7 @@ fn small_plots_in_three_kinds_of_glyphs() {
         let text = pair.render(&look(40, 10, glyphs), Some(&here)).text();
         insta::assert_snapshot!(format!("plot-four-bar-{name}-40x10"), text);
     }
-    // A coupler curve of true aspect, and a direction that jumps at 360 deg.
+    // A coupler curve with equal scales, and a direction that wraps at 360 deg.
     let curve = plot("hoecken", &["P.y"], Some("P.x"));
     let text = curve.render(&look(60, 14, Glyphs::Braille), None).text();
     insta::assert_snapshot!("plot-coupler-curve-60x14", text);
@@ -104,7 +104,7 @@ fn small_plots_in_three_kinds_of_glyphs() {
 }
 
 #[test]
-fn a_direction_that_passes_360_deg_is_no_upright_line() {
+fn angle_wrap_at_360_deg_is_a_gap() {
     let plot = plot("drag-link", &["r4.angle"], None);
     let pieces = &plot.panels[0].curves[0].pieces;
     assert_eq!(pieces.len(), 2, "one gap in a turn");
@@ -122,7 +122,7 @@ fn a_direction_that_passes_360_deg_is_no_upright_line() {
 }
 
 #[test]
-fn the_curve_of_another_scene_is_dotted_and_has_no_value_here() {
+fn compared_curve_is_dotted_and_has_no_value() {
     let mut both = plot("four-bar", &["r4.omega"], None);
     let other = plot("drag-link", &["r4.omega", "C.x"], None);
     both.compare(&other, "before");
@@ -137,7 +137,7 @@ fn the_curve_of_another_scene_is_dotted_and_has_no_value_here() {
 }
 
 #[test]
-fn what_does_not_change_lies_level_in_the_middle() {
+fn constant_curve_is_horizontal_in_the_middle() {
     let level = plot("slider-crank", &["C.y", "C.vy", "r2.omega"], None);
     for panel in &level.panels {
         let curve = &panel.curves[0];
@@ -151,7 +151,7 @@ fn what_does_not_change_lies_level_in_the_middle() {
 }
 
 #[test]
-fn an_svg_has_every_curve_axis_and_name() {
+fn svg_has_every_curve_axis_and_name() {
     let plot = plot("four-bar", &["C.v*", "r4.omega"], None);
     let text = plot.svg("Four-bar <1>", Vec2::new(800.0, 600.0), true, None);
     for part in [
@@ -175,7 +175,7 @@ fn an_svg_has_every_curve_axis_and_name() {
 }
 
 #[test]
-fn a_true_plot_keeps_squares_square() {
+fn equal_scale_plot_keeps_squares() {
     let square = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0), (0.0, 0.0)];
     let mut plot = made(vec![line(&square)]);
     plot.is_true = true;
@@ -202,7 +202,7 @@ fn a_true_plot_keeps_squares_square() {
 
 proptest! {
     #[test]
-    fn every_sample_has_a_mark(
+    fn every_sample_is_marked(
         points in prop::collection::vec((-1e3..1e3_f64, -1e3..1e3_f64), 1..40),
         more in prop::collection::vec((-1e3..1e3_f64, -1e3..1e3_f64), 1..10),
         (cols, rows) in (16_u16..120, 5_u16..40),
@@ -225,7 +225,7 @@ proptest! {
     }
 
     #[test]
-    fn any_curve_fits_any_size(
+    fn any_curve_renders_at_any_size(
         points in prop::collection::vec((any::<f64>(), any::<f64>()), 0..20),
         (x0, x1, y0, y1) in (any::<f64>(), any::<f64>(), any::<f64>(), any::<f64>()),
         (cols, rows) in (0_u16..130, 0_u16..50),
@@ -254,9 +254,10 @@ proptest! {
     }
 }
 
-/// A curve has the hue that its link has in the drawing, where all of its panel are of different links.
+/// A curve has the hue of its link in the drawing if all curves of its panel belong to different
+/// links.
 #[test]
-fn curves_are_of_the_hues_of_their_links_where_these_differ() {
+fn curves_have_hues_of_links_if_these_differ() {
     use crate::drawing::Role;
     let (scene, _) = opened("four-bar");
     let roles = |names: &[&str]| {
@@ -269,7 +270,7 @@ fn curves_are_of_the_hues_of_their_links_where_these_differ() {
     let own = roles(&["r3.omega", "r4.omega", "r4.alpha"]);
     assert_eq!(own, [links[1], links[2], links[2]]);
     assert_eq!(roles(&["r4.angle", "r2.angle"]), [links[2], Role::Driver]);
-    // Two of one link, or one of a joint of two, are told as ever.
+    // Two curves of one link, or a curve of a joint between two links, get the default hues.
     let usual = [Role::Datum, Role::Second];
     assert_eq!(roles(&["C.vx", "C.vy"]), usual);
 }

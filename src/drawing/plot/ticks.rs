@@ -198,7 +198,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_of_usual_ranges() {
+    fn ticks_of_usual_ranges_are_round() {
         assert_eq!(
             labels(0.0, 360.0, true, 9),
             ["0", "45", "90", "135", "180", "225", "270", "315", "360"]
@@ -229,7 +229,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_have_the_digits_that_tell_their_changes() {
+    fn values_have_enough_digits_for_visible_changes() {
         let text = |low, high, value| TickStyle::of_range(low, high).text(value);
         assert_eq!(text(-820.0, 1083.0, -722.630_802), "-722.6");
         assert_eq!(text(0.0, 360.0, 60.0), "60.00");
@@ -238,12 +238,12 @@ mod tests {
         assert_eq!(text(1000.0, 1000.2, 1_000.123_456), "1000.1235");
         assert_eq!(text(-2.5e7, 2.5e7, 1_234_567.0), "1.235e6");
         assert_eq!(text(0.0, 2e-7, 1.5e-7), "1.5000e-7");
-        // Whatever of a curve is drawn as a change is told as one.
+        // Every change that is visible in a curve is visible in the number.
         assert_eq!(text(100.0, 100.0 + 5e-9, 100.0 + 3e-9), "100.000000003000");
     }
 
     #[test]
-    fn ticks_are_told_apart_on_tiny_ranges_and_have_the_digits_of_each_other() {
+    fn tick_labels_differ_on_tiny_ranges() {
         for (low, high) in [
             (100.0, 100.0 + 1e-9),
             (-100.0 - 2e-10, -100.0),
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn far_from_nought_no_tick_lies_outside() {
+    fn ticks_far_from_zero_stay_in_range() {
         let low = -450_234_668.079_885;
         let high = low + 10_f64.powf(-4.073_692_900_992_865);
         for most in 1..20 {
@@ -275,7 +275,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn ticks_are_round_and_lie_inside(
+        fn ticks_are_round_and_in_range(
             low in -1e9..1e9_f64,
             power in -9.0..9.0_f64,
             is_angle: bool,
@@ -286,13 +286,14 @@ mod tests {
             prop_assert!(ticks.values.len() <= most);
             let slack = (high - low) * 1e-6;
             prop_assert!(ticks.values.iter().all(|&v| low - slack <= v && v <= high + slack));
-            // As many as half of what is allowed, but for angles, whose steps are farther apart.
+            // At least a fifth of the permitted ticks: angle steps are farther apart than decimal
+            // ones.
             if most >= 5 && (high - low) > 1e-6 * low.abs() {
                 prop_assert!(ticks.values.len() >= most / 5, "{ticks:?}");
             }
             for pair in ticks.values.windows(2) {
                 let step = pair[1] - pair[0];
-                // Far from 0 a difference of two has lost the digits that would show it.
+                // Far from 0, cancellation makes the difference of two ticks inaccurate.
                 if step < 1e-6 * low.abs() {
                     continue;
                 }
@@ -306,7 +307,7 @@ mod tests {
         }
 
         #[test]
-        fn any_number_is_written(value: f64, low: f64, high: f64) {
+        fn any_number_is_formatted(value: f64, low: f64, high: f64) {
             let text = TickStyle::of_range(low.min(high), low.max(high)).text(value);
             prop_assert!(text.is_ascii() && !text.is_empty());
             for most in 0..9 {

@@ -1,4 +1,4 @@
-//! A scene prepared for drawing.
+//! Prepares scenes for the tests of drawings.
 
 use crate::PointId;
 use crate::drawing::{Overlay, Reach, Wanted};

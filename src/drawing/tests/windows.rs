@@ -1,9 +1,9 @@
-//! Tests windows on whole motions: their contents, their scale, and how they follow the linkage.
+//! Tests views over whole motions: their contents, their scale, and how they follow the linkage.
 
 use super::*;
 
 #[test]
-fn no_joint_ever_leaves_the_window() {
+fn joints_stay_inside_view() {
     for stage in DrawingStage::presets() {
         for (cols, rows) in [(200, 60), (80, 24), (40, 12), (13, 7)] {
             let view = WorldView::fit(&stage.reach, cols, rows, 2.0);
@@ -34,7 +34,7 @@ fn no_joint_ever_leaves_the_window() {
 }
 
 #[test]
-fn supports_stay_inside_where_there_is_room() {
+fn supports_stay_inside_usual_view() {
     for stage in DrawingStage::presets() {
         let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
         for point in stage.scene.mechanism.points() {
@@ -64,9 +64,10 @@ fn fill(raster: &Raster) -> f64 {
     across.max(span(|c| c.1) as f64 / f64::from(raster.rows()))
 }
 
-/// The linkage used to take 7 % of the screen where its motion needs much more room than it takes itself.
+/// Regression: the linkage filled only 7 % of the screen if its motion needs much more space than
+/// the linkage itself.
 #[test]
-fn every_linkage_is_large_wherever_it_stands() {
+fn linkage_fills_view_throughout_motion() {
     let mut small = Vec::new();
     for stage in DrawingStage::presets() {
         for (cols, rows) in [(80, 24), (120, 40), (200, 60), (44, 21)] {
@@ -84,14 +85,14 @@ fn every_linkage_is_large_wherever_it_stands() {
     assert!(small.is_empty(), "{small:#?}");
 }
 
-/// Rings and names used to be cut off where a window is so large that they are small in it.
+/// Regression: rings and names were cut off in a view so large that they are small in it.
 #[test]
-fn a_large_window_cuts_neither_rings_nor_names() {
-    /// Half the width and the height of a ring, in columns and rows.
+fn large_view_cuts_no_rings_or_labels() {
+    /// Half the width and half the height of a ring, in columns and rows.
     const RING: Vec2 = Vec2::new(1.5, 0.75);
     let mut cut = Vec::new();
     for stage in DrawingStage::presets() {
-        // Folded it has no room for its names between its own bars.
+        // A folded scissor lift has no space for its labels between its own bars.
         let is_crowded = stage.name.contains("scissor-lift");
         let mut raster = Raster::new();
         for state in stage.motion().step_by(50) {
@@ -129,11 +130,11 @@ fn a_large_window_cuts_neither_rings_nor_names() {
     assert!(cut.is_empty(), "{cut:#?}");
 }
 
-/// While the driver goes through its motion as playing takes it, the window goes along without a jump: in a frame
-/// by less than a tenth of itself beyond what the linkage moves in it.
+/// During playback, the view follows without jumps: per frame it moves by less than a tenth of its
+/// size more than the linkage itself.
 #[test]
-fn a_window_goes_along_calmly() {
-    /// Frames of a turn in four seconds.
+fn following_view_moves_without_jumps() {
+    /// Number of frames in a turn of four seconds.
     const FRAMES: u32 = 80;
     const MOST: f64 = 0.1;
     let mut shaken = Vec::new();
@@ -151,7 +152,7 @@ fn a_window_goes_along_calmly() {
             let mut state = stage.solver.state();
             let mut at = |k: u32| {
                 let share = f64::from(k) / f64::from(FRAMES);
-                // Towards a limit the linkage itself goes ever faster.
+                // Near a limit the linkage itself moves ever faster.
                 let share = match stage.solver.motion().range {
                     Range::Full { .. } => share,
                     Range::Limited { .. } => (1.0 - (std::f64::consts::PI * share).cos()) / 2.0,
@@ -184,12 +185,12 @@ fn a_window_goes_along_calmly() {
     assert!(shaken.is_empty(), "{shaken:#?}");
 }
 
-/// What the window rests on does not tremble while it goes along: it goes one way until the window turns back, and
-/// not to and fro in between. (Other pins of the ground follow from it and from the size, which goes by steps of its
-/// own: they may go to and fro by a cell or two.)
+/// The view's anchor does not tremble while the view follows: it moves in one direction until the
+/// view reverses, and not back and forth in between. Other ground pins depend on the anchor and on
+/// the scale, which changes in steps of its own, so they may move back and forth by a cell or two.
 #[test]
-fn a_window_that_goes_along_does_not_shake() {
-    /// Number of places of a motion: one per degree of a turn.
+fn following_view_does_not_shake() {
+    /// Number of positions in a motion: one per degree of a turn.
     const PLACES: u32 = 360;
     let mut shaken = Vec::new();
     for stage in DrawingStage::presets() {
@@ -222,9 +223,10 @@ fn a_window_that_goes_along_does_not_shake() {
     assert!(shaken.is_empty(), "{shaken:#?}");
 }
 
-/// A crank of a row used to be hidden between its pins, and a driven block was like any other.
+/// Regression: a crank of one row was hidden between its pins, and a driven block looked like any
+/// other.
 #[test]
-fn the_driver_is_seen_in_every_window() {
+fn driver_is_visible_in_every_view() {
     let mut hidden = Vec::new();
     let mut raster = Raster::new();
     for stage in DrawingStage::presets() {
@@ -237,7 +239,7 @@ fn the_driver_is_seen_in_every_window() {
                     render_into(&figure, &view, glyphs, labels, &mut raster);
                     let cells = || raster.lines().flatten();
                     let has_hue = cells().any(|cell| cell.role == Role::DriverPin);
-                    // Where marks are made of dots the core of a ring tells it.
+                    // If marks consist of dots, the core of the ring identifies the driver.
                     let is_told = |cell: &CharCell| cell.glyph == '@';
                     let has_shape = view.weight() > 2 && glyphs.is_dotted()
                         || cells().filter(|c| c.role == Role::DriverPin).any(is_told);
@@ -252,9 +254,9 @@ fn the_driver_is_seen_in_every_window() {
     assert!(hidden.is_empty(), "{hidden:#?}");
 }
 
-/// An arrow of velocity used to stand in the place of the pin of a block: `[⠃]`.
+/// Regression: a velocity arrow covered the pin of a block: `[⠃]`.
 #[test]
-fn no_arrow_hides_a_pin() {
+fn arrows_hide_no_pins() {
     let mut hidden = Vec::new();
     for stage in DrawingStage::presets() {
         let points = usual_arrows(&stage.scene.mechanism);

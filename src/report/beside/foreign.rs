@@ -292,9 +292,10 @@ impl ForeignValue {
 mod tests {
     use super::*;
 
-    /// Three decimals may be hundreds, and no digit of a nought is the tenth of one.
+    /// Three decimals may also be a thousands group, and a zero is not accurate to a tenth of its
+    /// last digit.
     #[test]
-    fn a_figure_is_read_as_it_is_nearer() {
+    fn ambiguous_number_is_read_as_nearer_value() {
         let hundreds = number("8,259").unwrap();
         assert_eq!(hundreds.nearer(|value| value - 8262.4).value, 8259.0);
         assert_eq!(hundreds.nearer(|value| value - 8.2624).value, 8.259);
@@ -307,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_figure_is_refused() {
+    fn file_without_values_is_rejected() {
         for text in ["", "figure,value\n", "a\nb\n", "7\n8\n"] {
             let read = ForeignFigures::read("x.csv", text.as_bytes());
             assert_eq!(read, Err(NoFigures::Nothing), "{text}");

@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn spreadsheets_write_as_they_like() {
+    fn answer_files_of_any_spreadsheet_dialect_are_read() {
         let expected = AnswerFile {
             sheet: Some("a.toml".into()),
             student: Some("Ayşe Öz".into()),
@@ -392,9 +392,9 @@ mod tests {
         assert_eq!(old.encoding, TextEncoding::Windows1254);
     }
 
-    /// Cells are joined only where a decimal comma has parted them.
+    /// Cells are joined only if a decimal comma has split them.
     #[test]
-    fn a_column_more_is_no_decimals() {
+    fn extra_column_is_not_joined_as_decimals() {
         let answer = |text: &str| read(text).answers[0].answer.clone();
         for (head, line, expected) in [
             ("figure,unit,answer,points", "r3.angle,deg,38.18,1", "38.18"),
@@ -410,9 +410,9 @@ mod tests {
         }
     }
 
-    /// The head row says where the answers stand.
+    /// The header row gives the column of the answers.
     #[test]
-    fn columns_may_be_gone_or_moved() {
+    fn columns_may_be_missing_or_reordered() {
         for (text, unit) in [
             ("figure,answer\nstudent,Ali\nr3.angle,29.38\n", ""),
             (
@@ -427,7 +427,7 @@ mod tests {
     }
 
     #[test]
-    fn what_holds_no_figure_is_no_file_of_answers() {
+    fn file_without_values_is_rejected() {
         for text in ["", "a,b,c\n", "<html></html>", "figure,unit,answer\n"] {
             let read = AnswerFile::read(text.as_bytes());
             assert_eq!(read, Err(NoAnswers::NoFigure), "{text}");
@@ -438,7 +438,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn any_bytes_are_read_or_refused(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        fn reading_never_panics(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
             let _ = AnswerFile::read(&bytes);
         }
     }

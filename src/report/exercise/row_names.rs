@@ -166,7 +166,7 @@ mod tests {
     }
 
     #[test]
-    fn symbols_of_the_notes_are_found() {
+    fn symbols_from_notes_map_to_columns() {
         let catalogue = catalogue("four-bar");
         for (row, column) in [
             ("r4.angle", "r4.angle"),
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_have_symbols_too() {
+    fn length_symbols_map_to_columns() {
         let catalogue = catalogue("slider-crank");
         for (row, column) in [
             ("r4", "r4.length"),

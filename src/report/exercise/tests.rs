@@ -1,4 +1,5 @@
-//! Tests of grading: values printed in lecture notes, and answers with one kind of mistake each.
+//! Tests grading with values printed in lecture notes, and with answers that have one kind of
+//! mistake each.
 
 use super::*;
 use crate::report::{Report, ReportFormat};
@@ -40,7 +41,7 @@ fn key_of(scene: &Scene, solver: &Solver, at: f64, more: &[String]) -> AnswerKey
     answer_key(scene, solver, state.state(), enclosure.state(), more)
 }
 
-/// Grades answers given as lines of `figure answer`.
+/// Grades answers given as lines of `name answer`.
 fn graded(name: &str, answers: &str) -> GradedAnswers {
     let rows = answers.lines().map(|line| {
         let (figure, answer) = line.trim().split_once(' ').unwrap();
@@ -85,7 +86,7 @@ fn told_of(graded: &GradedAnswers) -> Vec<String> {
 }
 
 #[test]
-fn week_4_is_explained_by_its_rounded_angle() {
+fn week_4_deviations_follow_from_rounded_angle() {
     let notes = "r4.length 28,0
         r3.angle 345,5
         r3.omega -89,45
@@ -106,7 +107,7 @@ fn week_4_is_explained_by_its_rounded_angle() {
 }
 
 #[test]
-fn the_slip_of_sign_of_week_4_is_told() {
+fn week_4_wrong_sign_is_recognized() {
     let notes = "r4.length -28\nr3.angle -14.47";
     assert_eq!(
         told("slider-crank", notes),
@@ -115,7 +116,7 @@ fn the_slip_of_sign_of_week_4_is_told() {
             "r4.length -28: wrong sign",
         ]
     );
-    // The other root, with the angle that belongs to it.
+    // The other root, with its own angle.
     let other = "r3.angle 194.4775\nr4.length -10.7047\nr4.rate 0";
     let graded = graded("slider-crank", other);
     let verdicts: Vec<_> = graded.figures.iter().map(|f| f.verdict).collect();
@@ -123,7 +124,7 @@ fn the_slip_of_sign_of_week_4_is_told() {
 }
 
 #[test]
-fn weeks_3_and_7_are_right_but_for_what_was_rounded() {
+fn weeks_3_and_7_are_right_except_known_deviations() {
     let notes = "r3.angle 29.38
         r4.angle 290.75
         r3.omega -3.916
@@ -164,7 +165,7 @@ fn weeks_3_and_7_are_right_but_for_what_was_rounded() {
 }
 
 #[test]
-fn each_mistake_has_its_name() {
+fn each_kind_of_mistake_has_its_verdict() {
     for (answer, verdict) in [
         ("r3.angle 0.5128", "in rad"),
         ("r3.angle 29,379 deg", "right"),
@@ -204,9 +205,10 @@ fn each_mistake_has_its_name() {
     }
 }
 
-/// A crank that is 10 degrees off with all that follows from it: one mistake, and the rest is right by it.
+/// The angle of r3 is 10 degrees off, and later values follow from it: one mistake, and the rest is
+/// right given that mistake.
 #[test]
-fn what_follows_from_a_mistake_is_right_by_it() {
+fn consequences_of_a_mistake_are_right() {
     let answers = "r3.angle 39.379
         r4.angle 290.7525
         r3.omega -4.1155
@@ -219,7 +221,8 @@ fn what_follows_from_a_mistake_is_right_by_it() {
         figures.find(|f| f.quantity.name == name).unwrap().verdict
     };
     assert_eq!(verdict("r3.angle"), FigureVerdict::Wrong);
-    // By hand: the equation multiplied by the unit vector along r4, then along r3.
+    // By hand: the scalar product of the velocity equation with the unit vector along r4, then with
+    // that along r3.
     let (w2, t2, t3, t4) = (15.0, 60_f64, 39.379_f64, 290.7525_f64);
     let sin = |degrees: f64| degrees.to_radians().sin();
     let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
@@ -234,9 +237,10 @@ fn what_follows_from_a_mistake_is_right_by_it() {
     ));
 }
 
-/// Who carries all digits of a mistake on, and writes down four of them, goes on from more than can be read.
+/// A student who continues with all digits of a wrong value, but writes down only four, has used
+/// more digits than the grader can read.
 #[test]
-fn what_was_carried_on_with_all_digits_is_right_by_it() {
+fn unrounded_consequences_of_a_mistake_are_right() {
     let (w2, t2, t3, t4) = (15.0, 60_f64, 39.375_123_f64, 290.752_506_f64);
     let sin = |degrees: f64| degrees.to_radians().sin();
     let w3 = -100.0 * w2 * sin(t2 - t4) / (300.0 * sin(t3 - t4));
@@ -248,9 +252,10 @@ fn what_was_carried_on_with_all_digits_is_right_by_it() {
     }
 }
 
-/// A last digit of degrees is none: what is larger than every direction is right for none.
+/// A last digit worth several degrees is no information: an answer larger than any direction is not
+/// right for a direction.
 #[test]
-fn sizes_without_digits_earn_nothing() {
+fn nonsense_values_earn_no_points() {
     let key = key("press", &[]);
     for nonsense in ["1.00e5", "0e9", "1e9", "-7e12", "1", "-1", "5e3"] {
         let rows = key.figures.iter();
@@ -269,9 +274,9 @@ fn sizes_without_digits_earn_nothing() {
     }
 }
 
-/// Points are for what is asked; what else is answered is judged without.
+/// Only asked values earn points; other answers are graded without points.
 #[test]
-fn what_is_not_asked_is_worth_no_point() {
+fn unasked_answers_earn_no_points() {
     let graded = graded(
         "four-bar",
         "A.x 0\nr2.omega 15\nC.a.t 22495\nr3.angle 29.38",
@@ -299,9 +304,9 @@ fn what_is_not_asked_is_worth_no_point() {
     );
 }
 
-/// The cell of the unit is read.
+/// The unit's cell is read.
 #[test]
-fn a_unit_beside_a_figure_is_meant() {
+fn unit_column_applies_to_answer() {
     for (row, verdict) in [
         ("C.v;m/s;0,77277", "right"),
         ("C.v;m/s;772,77", "in mm/s"),
@@ -336,9 +341,10 @@ fn a_unit_beside_a_figure_is_meant() {
     }
 }
 
-/// Near 0 the other sign and radians are as near as rounding: what fits them exactly is told first.
+/// Near 0, the wrong sign, radians and rounding are all close: the verdict that fits exactly has
+/// priority.
 #[test]
-fn a_small_direction_has_a_sign_and_a_unit() {
+fn small_direction_prefers_exact_sign_and_unit() {
     let at = Some(0.04);
     let key = key_at("slider-crank", at, &[]);
     let small = key.figures[0].exact - 360.0;
@@ -358,9 +364,9 @@ fn a_small_direction_has_a_sign_and_a_unit() {
     }
 }
 
-/// The lecture parts thousands with a comma.
+/// The lecture notes separate thousands with a comma.
 #[test]
-fn a_comma_may_stand_behind_thousands() {
+fn comma_may_separate_thousands() {
     for written in ["8,259", "8.259", "8259"] {
         let told = told(
             "slider-crank",
@@ -371,9 +377,9 @@ fn a_comma_may_stand_behind_thousands() {
     }
 }
 
-/// What is 0 but for rounding is asked for as 0.
+/// Values that differ from 0 only by rounding are 0 in the key.
 #[test]
-fn rounding_is_asked_for_as_0() {
+fn key_has_zero_instead_of_rounding_errors() {
     for preset in presets::all() {
         for at in 1..9 {
             let at = Some(f64::from(at) * 40.0);
@@ -386,22 +392,22 @@ fn rounding_is_asked_for_as_0() {
     }
 }
 
-/// A figure hangs on the loops before it alone.
+/// A value depends only on its own loop and the preceding ones.
 #[test]
-fn a_figure_hangs_on_what_comes_before_it() {
+fn values_depend_only_on_preceding_loops() {
     let hangs_on = |name: &str, figure: &str| {
         let key = key(name, &[]);
         let asked = key.figures.iter().find(|f| f.quantity.name == figure);
         let chain = key.chain.unwrap();
         chain.variables_of(&asked.unwrap().quantity).len()
     };
-    // r3 and r4, and the crank; the ram hangs on its own loop, too.
+    // The crank, r3 and r4; the ram depends on its own loop, too.
     assert_eq!(hangs_on("press", "r3.angle"), 3);
     assert_eq!(hangs_on("press", "F.a"), 5);
 }
 
 #[test]
-fn the_other_assembly_of_a_four_bar_is_known() {
+fn other_assembly_of_four_bar_is_recognized() {
     let preset = presets::find("four-bar").unwrap();
     let scene = Scene::parse(preset.text, preset.name).unwrap();
     let solver = Solver::new(&scene.mechanism).unwrap();
@@ -414,9 +420,9 @@ fn the_other_assembly_of_a_four_bar_is_known() {
     assert_eq!(told, [format!("r3.angle {angle:.3}: other assembly")]);
 }
 
-/// The exact figures of every preset, to six digits, are right; and none is asked for twice.
+/// The exact values of every preset, rounded to six digits, are right, and none is asked twice.
 #[test]
-fn exact_figures_are_right_in_every_preset() {
+fn exact_values_are_right_in_every_preset() {
     for preset in presets::all() {
         let key = key(preset.name, &[]);
         assert!(!key.figures.is_empty(), "{}", preset.name);
@@ -429,7 +435,7 @@ fn exact_figures_are_right_in_every_preset() {
         let graded = graded_rows(preset.name, None, &rows);
         assert!(graded.remarks.strangers.is_empty(), "{}", preset.name);
         for (figure, asked) in graded.figures.iter().zip(&key.figures) {
-            // Of a large angle five decimals are left.
+            // Six digits leave at least three decimals of an angle.
             assert_eq!(
                 figure.verdict,
                 FigureVerdict::Right,
@@ -444,9 +450,10 @@ fn exact_figures_are_right_in_every_preset() {
     }
 }
 
-/// What is asked of the lectures' scenes: every star of their tables, and the points.
+/// In the lectures' scenes, the key asks for every starred value of their tables and for the
+/// points.
 #[test]
-fn what_is_asked_is_what_has_a_star() {
+fn key_asks_for_starred_values() {
     let names = |scene: &str| -> Vec<String> {
         let figures = key(scene, &[]).figures.into_iter();
         figures.map(|f| f.quantity.name).collect()
@@ -488,13 +495,13 @@ fn what_is_asked_is_what_has_a_star() {
         lever.contains(&"r3.angle".into()) && !lever.contains(&"r3.omega".into()),
         "{lever:?}"
     );
-    // It turns with r4, and is not asked for once more.
+    // The link rotates with r4, so its angular velocity is not asked twice.
     assert!(!press.contains(&"r4e.omega".to_owned()));
 }
 
-/// What is handed out tells what is given, asks for the rest, and gives no figure of the solution away.
+/// The sheet shows the given values, asks for the rest, and reveals no value of the solution.
 #[test]
-fn a_sheet_asks_and_does_not_tell() {
+fn sheet_does_not_reveal_answers() {
     for name in [
         "four-bar",
         "slider-crank",
@@ -556,9 +563,10 @@ fn sheet_of(scene: &Scene) -> String {
     told.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// What a scene gives in its own way is told in that way, in full and with no digit that nobody typed.
+/// The sheet shows given values in the form of the scene, in full and without digits that nobody
+/// typed.
 #[test]
-fn what_is_given_is_told_as_it_is_given() {
+fn sheet_shows_given_values_in_their_own_form() {
     let text = r#"
         [ground]
         A = [0, 0]
@@ -600,10 +608,10 @@ fn longest_number(text: &str) -> usize {
     digits.max().unwrap_or(0)
 }
 
-/// Tables may ask by other names than the file of answers has: both stand on the sheet, and so does every point from
-/// which a slide is counted.
+/// Tables may use other names than the answer file. The sheet contains both, and every reference
+/// point of a slide.
 #[test]
-fn a_sheet_names_all_that_it_asks() {
+fn sheet_names_every_asked_value() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let sheet = sheet_of(&scene);
@@ -613,7 +621,7 @@ fn a_sheet_names_all_that_it_asks() {
             .collect();
         for figure in key(preset.name, &[]).figures {
             let name = figure.quantity.name.as_str();
-            // Points stand in a table of their own, and one of them tells how all are called.
+            // Points have their own table, and one sentence explains the names of all.
             let ends = [".v", ".a", ".v.angle", ".a.angle"];
             let mut points = ends.iter().filter_map(|end| name.strip_suffix(end));
             let is_in_table = sheet.contains("For each point it contains")
@@ -626,7 +634,7 @@ fn a_sheet_names_all_that_it_asks() {
         }
         assert!(longest_number(&sheet) <= 12, "{}: {sheet}", preset.name);
         let (given, asked) = sheet.split_once("2 Asked").unwrap();
-        // A point of the scene may have such a name, too: then it is not made up.
+        // A point of the scene may have such a name, too; then it is not invented.
         let own: Vec<&str> = scene
             .mechanism
             .point_ids()
@@ -709,7 +717,8 @@ fn turkish_units_are_read() {
     }
 }
 
-/// An unknown unit costs no point and is reported with its cell; a unit of another measure is reported and costs it.
+/// An unknown unit costs no point and is reported with its cell. A unit of another quantity is
+/// reported and costs the point.
 #[test]
 fn every_unknown_unit_is_reported() {
     let rows =
@@ -737,7 +746,7 @@ fn every_unknown_unit_is_reported() {
 }
 
 #[test]
-fn symbols_of_the_notes_name_rows() {
+fn symbols_from_notes_name_rows() {
     let sheet = sheet_in_tests("four-bar-7.toml");
     let graded = graded_file(&sheet, None, &answers("names.csv"));
     for name in ["r3.angle", "r4.angle", "r3.omega"] {
@@ -748,9 +757,9 @@ fn symbols_of_the_notes_name_rows() {
     assert_eq!(cells(&graded.remarks.repeated), repeated);
 }
 
-/// The last answer counts, and an empty row below it takes nothing away.
+/// The last answer counts, and a later empty row does not remove it.
 #[test]
-fn the_last_answer_counts() {
+fn last_answer_counts() {
     let rows = "θ3;deg;35\nr3.angle;deg;29,38\nr4.angle;deg;290,75\nθ4;deg;\n;deg;5\n";
     let graded = graded_rows("four-bar", None, rows);
     assert_eq!(verdict_of(&graded, "r3.angle"), FigureVerdict::Right);
@@ -769,9 +778,9 @@ fn windows_1254_is_decoded_and_reported() {
     assert_eq!(graded.remarks.sentences().len(), 1);
 }
 
-/// Half of the acceleration of the pin is that of the centre of mass, wrong as it is.
+/// The acceleration of the centre of mass is half of the pin's, even if the latter is wrong.
 #[test]
-fn a_centre_of_mass_follows_by_proportion() {
+fn centre_of_mass_follows_by_proportion() {
     let graded = graded_file(preset("four-bar"), None, &answers("prop.csv"));
     assert_eq!(verdict_of(&graded, "C.a"), FigureVerdict::Wrong);
     assert_eq!(cause(&graded, "r4.com.a"), Some("C.a"));
@@ -779,7 +788,7 @@ fn a_centre_of_mass_follows_by_proportion() {
 }
 
 #[test]
-fn a_forgotten_normal_component_costs_its_own_points() {
+fn missing_normal_component_costs_only_its_own_points() {
     let sheet = sheet_in_tests("four-bar-7.toml");
     let graded = graded_file(&sheet, None, &answers("no_normal.csv"));
     assert_eq!(lost(&graded), ["C.a", "C.a.angle"]);
@@ -790,7 +799,7 @@ fn a_forgotten_normal_component_costs_its_own_points() {
 }
 
 #[test]
-fn a_misread_speed_costs_one_point() {
+fn misread_speed_costs_one_point() {
     let sheet = sheet_in_tests("four-bar-7.toml");
     let graded = graded_file(&sheet, None, &answers("rpm.csv"));
     assert_eq!(lost(&graded), ["r3.omega"]);
@@ -814,7 +823,7 @@ fn answered(key: &AnswerKey, by: &AnswerKey, digits: usize) -> String {
     rows.collect()
 }
 
-/// Whatever is misread costs the first answer that shows it, and nothing that follows.
+/// Any misread value costs the first answer that shows it, and no later one.
 #[test]
 fn every_misread_value_costs_one_point() {
     let sheet = sheet_in_tests("four-bar-7.toml");
@@ -852,9 +861,9 @@ fn every_misread_value_costs_one_point() {
     }
 }
 
-/// Wrong answers that have nothing in common are explained by nothing.
+/// Wrong answers without a common cause have no explanation.
 #[test]
-fn unrelated_mistakes_are_no_misread_value() {
+fn unrelated_mistakes_are_not_a_misread_value() {
     let key = key("four-bar", &[]);
     let mut chance = crate::numeric::SeededChance::new(5);
     let mut points = 0;
@@ -868,13 +877,13 @@ fn unrelated_mistakes_are_no_misread_value() {
         assert_eq!(graded.misread, None, "{rows}");
         points += graded.counts().points();
     }
-    // Of 440 answers a few come near by chance.
+    // Of 440 answers a few are close by chance.
     assert!(points <= 8, "{points}");
 }
 
-/// Of two mistakes that have nothing in common one is not explained by a value that makes the other.
+/// Of two independent mistakes, neither is explained by a misread value that causes the other.
 #[test]
-fn two_unrelated_mistakes_are_no_misread_value() {
+fn two_unrelated_mistakes_are_rarely_a_misread_value() {
     let key = key("four-bar", &[]);
     let last = u32::try_from(key.figures.len() - 1).unwrap();
     let mut chance = crate::numeric::SeededChance::new(7);
@@ -894,9 +903,9 @@ fn two_unrelated_mistakes_are_no_misread_value() {
     assert!(explained <= 2, "{explained}");
 }
 
-/// A value of 0 is asked for, and 0 is the answer.
+/// The expected value is 0, and so is the answer.
 #[test]
-fn an_answer_of_0_is_worth_a_point() {
+fn zero_answer_earns_a_point() {
     let sheet = sheet_in_tests("slider-crank-3.toml");
     let graded = graded_file(&sheet, None, &answers("om0.csv"));
     assert_eq!(verdict_of(&graded, "r3.omega"), FigureVerdict::Right);
@@ -911,9 +920,9 @@ fn asked_symbols(sheet: &str) -> Vec<&str> {
     asked.map(|three| three[0]).collect()
 }
 
-/// The sheet and the file of answers ask for the same, for every seed.
+/// The sheet and the answer file ask for the same values, for every seed.
 #[test]
-fn sheet_and_answer_file_ask_for_the_same() {
+fn sheet_and_answer_file_ask_for_same_values() {
     let titles = ExerciseTitles {
         name: "Exercise".into(),
         source: "here".into(),
@@ -978,9 +987,9 @@ fn is_of_vector(row: &str) -> bool {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
-    /// Whatever stands in a file of answers, there is a verdict for every figure.
+    /// For any contents of an answer file, every value has a verdict.
     #[test]
-    fn no_answer_ends_in_a_panic(
+    fn grading_never_panics(
         answers in prop::collection::vec((0_usize..40, "[-+]?[0-9]{0,5}[.,]?[0-9]{0,4}(e-?[0-9]{1,3})?|.{0,12}"), 1..30),
     ) {
         let key = key("slider-crank", &[]);

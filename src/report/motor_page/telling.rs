@@ -136,7 +136,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_not_enough_is_less_than_the_whole() {
+    fn share_below_one_is_shown_below_100_percent() {
         for (share, told) in [
             (0.998, "99.8"),
             (0.9999, "99.9"),

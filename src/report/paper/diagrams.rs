@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn polygons_close_wherever_a_preset_stands() {
+    fn polygons_of_presets_close_throughout_motion() {
         let mut closed = 0;
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -250,13 +250,13 @@ mod tests {
             let mut state = solver.state();
             let (low, high) = solver.motion().range.ends();
             for k in 0..=4 {
-                // The sum may round to beyond the end.
+                // Rounding may put the sum beyond the end.
                 let at = (low + (high - low) * f64::from(k) / 4.0).min(high);
                 let _ = solver.solve(at, Order::Acceleration, &mut state);
                 for of in working.loop_vectors(&scene, &solver, &state, 6) {
                     let diagram = polygon(&of, "mm").unwrap();
                     let drawn = drawn(&diagram);
-                    // One of no length is not drawn.
+                    // A vector of length zero is not drawn.
                     let has_length = |v: &&LoopVector| v.vector.unwrap().norm() > 1e-9;
                     let vectors: Vec<_> = of.vectors.iter().filter(has_length).collect();
                     assert_eq!(vectors.len(), drawn.len(), "{} at {at}", preset.name);

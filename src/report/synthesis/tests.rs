@@ -1,4 +1,4 @@
-//! Tests of reports on poses without a linkage, and on the curves of four poses.
+//! Tests reports on poses without a linkage, and on the curves of four poses.
 
 use super::SynthesisReport;
 use crate::synthesis::{Synthesis, SynthesisOrder};
@@ -28,7 +28,7 @@ fn told(poses: &str) -> (String, Value) {
 }
 
 #[test]
-fn poses_without_a_linkage_are_told_why() {
+fn poses_without_a_linkage_have_a_reason() {
     Language::English.speak();
     let turn = "[[30, 0, 0], [0, 30, 90], [-30, 0, 180], [0, -30, 270]]";
     let shift = "[[0, 0, 5], [10, 2, 5], [20, 10, 5], [25, -10, 5]]";
@@ -47,9 +47,9 @@ fn poses_without_a_linkage_are_told_why() {
     }
 }
 
-/// Every spot of the curves is a pivot with its pin, or a guide; three poses have none.
+/// Every point of the curves is a pivot with its pin, or a guide. Three poses have no curves.
 #[test]
-fn the_curves_of_four_poses_are_in_the_json() {
+fn json_contains_curves_of_four_poses() {
     let (_, json) = told("[[0, 0, 0], [10, 3, 25], [17, 12, 60], [15, 25, 95]]");
     let pieces = json["curves"].as_array().unwrap();
     let spots: Vec<&Value> = pieces.iter().flat_map(|p| p.as_array().unwrap()).collect();

@@ -311,9 +311,9 @@ mod tests {
     use crate::scene::presets;
     use crate::solver::Condition;
 
-    /// Where nothing is given but the driver, the chain finds what the solver has found.
+    /// If only the driver is given, the chain yields the solver's values.
     #[test]
-    fn every_figure_of_every_preset_follows_from_the_loops() {
+    fn loop_chain_yields_solver_values_in_every_preset() {
         let mut without = Vec::new();
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();

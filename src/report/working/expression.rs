@@ -314,7 +314,7 @@ mod tests {
     }
 
     #[test]
-    fn signs_and_brackets_stand_where_they_are_needed() {
+    fn signs_and_brackets_appear_only_as_needed() {
         let (a, b) = (known("a", -2.0), known("b", -3.0));
         let cases = [
             (a.clone() + b.clone(), "a + b", "-2 - 3", -5.0),

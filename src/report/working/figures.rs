@@ -126,7 +126,7 @@ mod tests {
     };
 
     #[test]
-    fn a_sum_writes_signs_between_its_terms() {
+    fn sum_has_signs_between_terms() {
         let mut sum = WrittenSum::default();
         sum.push(true, "r1");
         sum.push(false, "r2");
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_are_as_long_as_they_need_to_be() {
+    fn values_have_the_digits_of_their_kind() {
         assert_eq!(SIX.given(300.0), "300");
         assert_eq!(SIX.number(300.0), "300.000");
         assert_eq!(SIX.direction(180.0), "180");

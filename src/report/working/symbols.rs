@@ -78,7 +78,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_numbered_vector_has_the_lectures_symbols() {
+    fn numbered_vectors_have_symbols_of_lectures() {
         assert_eq!(theta("r3"), "θ3");
         assert_eq!(omega("r12"), "ω12");
         assert_eq!(alpha("ram"), "α_ram");

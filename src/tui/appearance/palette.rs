@@ -360,7 +360,7 @@ mod tests {
     }
 
     #[test]
-    fn contrast_is_what_the_standard_says() {
+    fn contrast_matches_wcag_values() {
         assert!((contrast(BLACK, WHITE) - 21.0).abs() < 1e-9);
         assert!((contrast(Color::Rgb(0x76, 0x76, 0x76), WHITE) - 4.54).abs() < 0.01);
     }
@@ -369,10 +369,10 @@ mod tests {
     /// bars.
     const EXACT: [Hue; 5] = [Hue::Red, Hue::Yellow, Hue::Cyan, Hue::Magenta, Hue::Grey];
 
-    /// 4.58 is the most that any colour has against both black and white; against two softer grounds
-    /// it is 3.9, so that those who have one name it.
+    /// No colour has a contrast above 4.58 against both black and white, or above 3.9 against both
+    /// softer backgrounds. Users with such a background can select the theme.
     #[test]
-    fn colours_read_well_on_any_ground() {
+    fn colours_are_readable_on_any_background() {
         assert!(worst(&EXACT, Theme::Auto, true, &[BLACK, WHITE]) >= 4.5);
         let worst = |exact, grounds: &[Color]| worst(&written(), Theme::Auto, exact, grounds);
         assert!(worst(true, &[BLACK, WHITE]) >= 4.3);
@@ -382,16 +382,16 @@ mod tests {
     }
 
     #[test]
-    fn colours_read_better_on_a_ground_that_is_known() {
+    fn light_and_dark_themes_reach_contrast_4_5() {
         for exact in [false, true] {
             assert!(worst(&written(), Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
             assert!(worst(&written(), Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
         }
     }
 
-    /// What WCAG 2.2 asks of graphics.
+    /// WCAG 2.2 requires a contrast of 3 for graphics.
     #[test]
-    fn strokes_stand_out_on_every_ground() {
+    fn lines_reach_contrast_3_on_every_background() {
         for (theme, grounds) in [
             (Theme::Auto, &[BLACK, WHITE, SOFT_BLACK, SOFT_WHITE][..]),
             (Theme::Light, &[WHITE, SOFT_WHITE]),
@@ -405,7 +405,7 @@ mod tests {
     }
 
     #[test]
-    fn hues_can_be_told_apart() {
+    fn drawn_hues_are_distinguishable() {
         let drawn = drawn();
         for theme in [Theme::Auto, Theme::Light, Theme::Dark] {
             for exact in [false, true] {
@@ -422,9 +422,9 @@ mod tests {
         }
     }
 
-    /// Names of links used to be written in hues of bars, and were left out here.
+    /// Regression: link names were once written in the hues of bars, and this test omitted them.
     #[test]
-    fn every_role_that_is_text_is_written_in_a_hue_that_can_be_read() {
+    fn text_roles_use_readable_hues() {
         let links = (0..LINK_HUES).map(Role::Link).map(Role::of_name);
         let others = [Role::Driver, Role::Force, Role::Label, Role::Ground];
         let texts = links.chain(others).map(theme::role);
@@ -434,9 +434,9 @@ mod tests {
         }
     }
 
-    /// Yellow on white is hardly seen, whatever a palette makes of the name.
+    /// Yellow is barely visible on white, whatever the terminal's palette.
     #[test]
-    fn nothing_is_yellow_or_bright_in_sixteen_colours_on_a_light_ground() {
+    fn light_theme_avoids_yellow_and_bright_ansi_colours() {
         for hue in ALL {
             let read = [
                 Color::Reset,
@@ -451,9 +451,9 @@ mod tests {
         }
     }
 
-    /// A drawing on paper has the hues of the one on the screen.
+    /// Printed drawings use the hues of the screen.
     #[test]
-    fn links_have_the_same_hues_on_paper() {
+    fn svg_links_have_hues_of_the_screen() {
         let preset = presets::find("four-bar").expect("it is there");
         let scene = Scene::parse(preset.text, preset.name).expect("it reads");
         let solver = Solver::new(&scene.mechanism).expect("it moves");
@@ -471,14 +471,14 @@ mod tests {
     }
 
     #[test]
-    fn a_hue_is_asked_for_by_a_name_of_its_own() {
+    fn hues_round_trip_through_named_colours() {
         for hue in ALL {
             assert_eq!(Hue::meant(hue.named()), Some(hue));
         }
     }
 
     #[test]
-    fn sixteen_colours_are_names_of_the_palette() {
+    fn sixteen_colours_follow_theme() {
         let sent = |theme, named| {
             let colours = Colours::Sixteen;
             Palette { colours, theme }.colour(named)
@@ -491,7 +491,7 @@ mod tests {
     }
 
     #[test]
-    fn faint_text_is_grey_where_greys_are_known() {
+    fn faint_text_is_grey_with_indexed_colours() {
         let faint = |colours| {
             let palette = Palette {
                 colours,

@@ -70,9 +70,9 @@ pub(crate) fn role(role: Role) -> Style {
 mod tests {
     use super::*;
 
-    /// Red is the driver's.
+    /// Red is reserved for the driver.
     #[test]
-    fn a_notice_is_never_red() {
+    fn warnings_are_not_red() {
         assert_eq!(role(Role::Driver).fg, Some(Color::Red));
         assert_ne!(part(ScreenPart::Warning).fg, Some(Color::Red));
     }

@@ -465,7 +465,7 @@ mod tests {
     use std::collections::HashSet;
 
     #[test]
-    fn no_action_is_missing_and_none_stands_twice() {
+    fn actions_are_listed_once_and_have_keys() {
         let mut seen = Vec::new();
         for entry in entries() {
             assert!(!seen.contains(&entry.action), "{}", entry.name);
@@ -475,13 +475,13 @@ mod tests {
     }
 
     #[test]
-    fn names_tell_the_actions_apart() {
+    fn action_names_are_unique() {
         let names: HashSet<&str> = entries().map(|entry| entry.name).collect();
         assert_eq!(names.len(), entries().count());
     }
 
     #[test]
-    fn a_help_line_fits_the_smallest_screen() {
+    fn help_lines_fit_smallest_screen() {
         for entry in entries() {
             let keys = listed(entry.keys);
             assert!(keys.len() <= 12, "{keys}");

@@ -133,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn keys_are_read_as_they_are_shown() {
+    fn keys_round_trip_through_text() {
         let others = [Key::Char('?'), Key::Ctrl('c'), Key::Function(1)];
         for key in NAMED.into_iter().chain(others) {
             assert_eq!(key.to_string().parse(), Ok(key));

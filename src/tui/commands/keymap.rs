@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn no_built_in_key_has_two_meanings_in_one_place() {
+    fn default_keys_do_not_clash() {
         let keymap = Keymap::default();
         assert_eq!(keymap.clashes().count(), 0, "{:?}", keymap.clashes().next());
         for entry in action::entries() {
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_was_given_away_means_the_other_thing() {
+    fn rebinding_replaces_default_keys() {
         let mut keymap = Keymap::default();
         keymap.set(Action::Play, vec![Key::Function(5)]);
         let meant = |key| keymap.action(key, View::Motion);
@@ -150,9 +150,9 @@ mod tests {
         assert_eq!(keymap.key(Action::Play), Some(Key::Function(5)));
     }
 
-    /// Arrows and Home used to turn the crank inside lists.
+    /// Regression: arrows and Home turned the crank inside lists.
     #[test]
-    fn no_arrow_moves_the_crank_in_a_list() {
+    fn arrow_keys_do_not_move_driver_in_lists() {
         let keymap = Keymap::default();
         let crank = [Action::StepBack, Action::StepForward, Action::Opening];
         for view in View::ALL.into_iter().filter(|view| *view != View::Motion) {
@@ -173,11 +173,12 @@ mod tests {
         }
         let meant = keymap.action(Key::Left, View::Motion);
         assert_eq!(meant, Some(Action::StepBack));
-        // What a person has chosen clashes as it does elsewhere.
+        // Configured keys clash in lists as in any other context.
         let mut keymap = Keymap::default();
         keymap.set(Action::Play, vec![Key::End]);
         assert_eq!(keymap.clashes().count(), 1);
-        // What moved the crank can do something else there, and still belongs to lists.
+        // A key freed from moving the crank can be bound to another action, and still moves in
+        // lists.
         let mut keymap = Keymap::default();
         keymap.set(Action::StepForward, vec![Key::Char('.')]);
         keymap.set(Action::Play, vec![Key::Char('l')]);
@@ -189,7 +190,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_clashes_only_where_both_actions_are() {
+    fn keys_clash_only_in_shared_contexts() {
         let mut keymap = Keymap::default();
         keymap.set(Action::Save, vec![Key::Char('m')]);
         let clash = keymap.clashes().next().unwrap();

@@ -209,7 +209,7 @@ mod tests {
     }
 
     #[test]
-    fn numbers_are_read_as_people_type_them() {
+    fn number_input_accepts_decimal_comma_and_unit() {
         assert_eq!(number("60"), Some(60.0));
         assert_eq!(number(" -12,5 deg"), Some(-12.5));
         assert_eq!(number("1e2deg"), Some(100.0));
@@ -219,7 +219,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_unprintable_gets_in_and_nothing_endless() {
+    fn input_rejects_invalid_and_excess_characters() {
         let mut line = EditLine::for_number();
         "\u{1b}1\u{e4}2\u{fc}".chars().for_each(|c| line.push(c));
         assert_eq!(line.text(), "12");
@@ -235,9 +235,9 @@ mod tests {
         );
     }
 
-    /// A minus of a text was dropped, and the number stood there without its sign.
+    /// Regression: typographic minus signs were dropped, which left the number without its sign.
     #[test]
-    fn signs_of_texts_are_those_of_formulas() {
+    fn typographic_operators_become_ascii() {
         assert_eq!(number("\u{2212}5"), Some(-5.0));
         assert_eq!(number("\u{2013}5\u{a0}deg\n"), Some(-5.0));
         let mut line = EditLine::for_value();
@@ -247,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn goals_and_formulas_are_as_long_as_they_may_be() {
+    fn goals_and_formulas_accept_maximum_length() {
         for (mut line, most) in [
             (EditLine::for_goal(""), 1000),
             (EditLine::for_guess(""), 1000),

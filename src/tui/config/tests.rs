@@ -3,7 +3,7 @@ use crate::tui::app::View;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::key::Key;
 
-/// Every line that sets something, live.
+/// Returns the text with every commented-out setting activated.
 fn uncommented(text: &str) -> String {
     let live = |line: &str| match line.strip_prefix('#') {
         Some(rest) if !rest.starts_with(' ') && !rest.is_empty() => rest.to_owned(),
@@ -13,7 +13,7 @@ fn uncommented(text: &str) -> String {
 }
 
 #[test]
-fn the_template_is_what_is_built_in_with_and_without_its_comments() {
+fn template_parses_to_default_configuration() {
     let text = template();
     assert!(text.is_ascii());
     assert!(text.lines().all(|line| line.len() <= 100), "{text}");
@@ -31,7 +31,7 @@ fn the_template_is_what_is_built_in_with_and_without_its_comments() {
 }
 
 #[test]
-fn what_is_given_is_taken() {
+fn given_settings_override_defaults() {
     let text = "glyphs = 'ascii'\ncolour = \"256\"\ntour = false\n[keys]\nplay = [\"F5\", \"space\"]\nnext = []\nstep = \"n\"\n";
     let config = Config::parse(text, "t").unwrap();
     assert_eq!(config.glyphs, Some(Glyphs::Ascii));
@@ -46,9 +46,9 @@ fn what_is_given_is_taken() {
     assert_eq!(Config::parse("\u{feff}", "t"), Ok(Config::default()));
 }
 
-/// Every fault names its line, what is wrong, and the mend.
+/// Every fault names its line, the cause and a fix.
 #[test]
-fn faults_are_told_with_line_and_mend() {
+fn faults_report_line_and_fix() {
     for (text, line, message, mend) in [
         (
             "glyfs = \"ascii\"",
@@ -225,9 +225,9 @@ fn faults_are_told_with_line_and_mend() {
     }
 }
 
-/// An action of which no key is known keeps those that it has.
+/// An action whose configured keys are all unknown keeps its default keys.
 #[test]
-fn unknown_keys_leave_an_action_as_it_is() {
+fn unknown_key_names_keep_known_bindings() {
     let text = "[keys]\nplay = \"F99\"\nnext = [\"F98\", \"F7\"]\nfly = \"F6\"\n";
     let config = Config::parse(text, "t").unwrap();
     let action = |key| config.keymap.action(key, View::Motion);
@@ -238,7 +238,7 @@ fn unknown_keys_leave_an_action_as_it_is() {
 }
 
 #[test]
-fn the_folder_is_the_one_of_the_desktop_standard() {
+fn config_path_follows_xdg_base_directories() {
     let env = |config: &'static str, home: &'static str| {
         Config::path(move |name| {
             let value = match name {
@@ -252,7 +252,7 @@ fn the_folder_is_the_one_of_the_desktop_standard() {
     let path = |text: &str| Some(PathBuf::from(text));
     assert_eq!(env("/c", "/h"), path("/c/krank/config.toml"));
     assert_eq!(env("", "/h"), path("/h/.config/krank/config.toml"));
-    // The standard: paths that are not absolute are to be ignored.
+    // The XDG specification ignores relative paths.
     assert_eq!(env("c", "/h"), path("/h/.config/krank/config.toml"));
     assert_eq!(env("", "h"), None);
     assert_eq!(env("", ""), None);

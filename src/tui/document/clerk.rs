@@ -264,9 +264,10 @@ mod tests {
         }
     }
 
-    /// The bell takes some hundred rings before it is full; nobody hears it while a line is stalled.
+    /// The wake-up socket is full after several hundred bytes, and nobody reads it while a terminal
+    /// line is stalled.
     #[test]
-    fn jobs_are_done_whether_or_not_somebody_hears_the_bell() {
+    fn jobs_run_while_wakeups_are_unread() {
         const JOBS: usize = 2000;
         let done = Arc::new(AtomicUsize::new(0));
         let mut clerk = Clerk::<Nobody>::apart().unwrap();
@@ -281,10 +282,10 @@ mod tests {
         assert_eq!(done.load(Ordering::Relaxed), JOBS);
     }
 
-    /// A search used to stand in the same line as what is to be written: a file that was saved while a long one
-    /// went on was lost on leaving.
+    /// Regression: searches shared a queue with file jobs, and a file saved during a long search
+    /// was lost on exit.
     #[test]
-    fn a_search_holds_up_no_file() {
+    fn searches_do_not_delay_file_jobs() {
         let mut clerk = Clerk::<Nobody>::apart().unwrap();
         let (end, until) = channel::<()>();
         clerk.search(move || {

@@ -63,7 +63,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lines_that_differ_are_told_with_their_numbers() {
+    fn difference_lists_changed_lines_with_numbers() {
         let told = difference("a\nb\nc\nd\n", "a\nB\nc\nx\nd\n");
         assert_eq!(told, ["   2 - b", "   2 + B", "   4 + x"]);
         assert!(difference("a\nb", "a\nb").is_empty());

@@ -145,10 +145,10 @@ pub(crate) fn unmarked(bytes: &[u8]) -> &[u8] {
 mod tests {
     use super::*;
 
-    /// A file that is taken away and written anew: the second piece of news comes while the first is looked
-    /// at, and is not lost.
+    /// A file is removed and rewritten: the second notification arrives during the first check and
+    /// is not lost.
     #[test]
-    fn what_is_written_while_somebody_looks_is_looked_at_again() {
+    fn change_during_file_check_requests_another() {
         let mut disk = Disk::new(Path::new("no such file"));
         let look = disk.look(Duration::ZERO, true).unwrap();
         assert!(disk.look(Duration::ZERO, true).is_none());

@@ -143,10 +143,10 @@ mod tests {
         points.map(|point| state.position(point).unwrap()).collect()
     }
 
-    /// A length that is a ten-thousandth longer moves no point far: in another assembly some would be
-    /// elsewhere. The text that comes of it opens there too.
+    /// Lengthening a link by 1e-4 of its length moves no point far; in another assembly some points
+    /// would be elsewhere. The edited text reopens in the same assembly.
     #[test]
-    fn small_edits_of_any_preset_keep_its_assembly() {
+    fn small_edits_keep_assembly_of_every_preset() {
         let mut kept = 0;
         for preset in presets::all() {
             let open_scene = OpenScene::new(opening::preset(preset).unwrap());
@@ -156,7 +156,7 @@ mod tests {
             for value in values.iter().filter(|v| v.measure == Measure::Length) {
                 let text = value.moved(value.number * 1e-4);
                 let text = open_scene.scene().with_value(value, &text);
-                // Redundant linkages close with the lengths that they have, and no others.
+                // Overconstrained linkages close only with their own lengths.
                 let Ok(edited) = keeping(&open_scene, &text) else {
                     continue;
                 };
@@ -206,7 +206,7 @@ mod nudges {
         };
         match value.measure {
             Measure::Angle => 1.0,
-            // A decimal of one digit always is a number.
+            // A decimal of one digit always parses as a number.
             _ => format!("{:.0e}", own * 1e-3).parse().unwrap(),
         }
     }
@@ -235,10 +235,10 @@ mod nudges {
         most
     }
 
-    /// Every length, coordinate and angle of every preset, nudged both ways: where nothing is near a change
-    /// point, all points move little, anywhere in the motion, and the text opens as it is shown.
+    /// Every length, coordinate and angle of every preset is nudged both ways. Without change
+    /// points, all points move little over the whole motion, and the text reopens as shown.
     #[test]
-    fn small_nudges_move_everything_little() {
+    fn small_nudges_move_points_slightly() {
         for preset in presets::all() {
             let first = open_scene(preset.text);
             if !first.solver().motion().change_points.is_empty() {

@@ -369,7 +369,7 @@ mod tests {
     }
 
     #[test]
-    fn steps_are_round_and_fit_the_value() {
+    fn steps_are_round_and_proportional_to_value() {
         for (size, text) in [
             (100.0, "1"),
             (250.0, "2"),
@@ -402,14 +402,14 @@ mod tests {
     }
 
     #[test]
-    fn what_is_nothing_moves_by_what_others_are() {
+    fn zero_values_use_step_of_largest_value() {
         let (_, editor) = editor("four-bar");
         assert_eq!(editor.value().unwrap().name, "A x");
         assert_eq!(editor.notch().to_string(), "2");
     }
 
     #[test]
-    fn a_step_that_was_chosen_stays_for_its_kind() {
+    fn chosen_step_applies_to_values_of_one_kind() {
         let (_, mut editor) = editor("four-bar");
         assert!(editor.seek("r2 length", false));
         assert_eq!(editor.notch().to_string(), "1");
@@ -423,7 +423,7 @@ mod tests {
     }
 
     #[test]
-    fn a_number_of_the_file_is_written_as_it_stands_there() {
+    fn restored_number_keeps_its_literal() {
         let (scene, mut editor) = editor("excavator-boom");
         assert!(editor.seek("driver position", false));
         let value = editor.value().unwrap().clone();

@@ -48,7 +48,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_last_edit_of_a_value_waits_and_what_changes_nothing_does_not() {
+    fn staging_keeps_last_edit_and_drops_unchanged_values() {
         let mut gathered = GatheredEdits::default();
         gathered.put("a", "1".into(), "0");
         gathered.put("b", "2".into(), "0");

@@ -159,7 +159,7 @@ mod tests {
     }
 
     #[test]
-    fn nudges_of_one_value_are_one_step_until_something_else_happens() {
+    fn consecutive_nudges_of_a_value_merge_into_one_step() {
         let mut history = History::default();
         let nudge = || Deed::Nudge("r2".into());
         history.record("a 1 b", "a 2 b", nudge());
@@ -170,13 +170,13 @@ mod tests {
         assert_eq!(history.before("a 14 b"), Some(("a 13 b".into(), "r2")));
         history.record("a 14 b", "a 14 c", Deed::Nudge("r3".into()));
         assert_eq!(history.before("a 14 c"), Some(("a 14 b".into(), "r3")));
-        // There and back is no step at all.
+        // A nudge that restores the previous text removes its step.
         history.record("a 14 c", "a 14 b", Deed::Nudge("r3".into()));
         assert_eq!(history.before("a 14 b"), Some(("a 13 b".into(), "r2")));
     }
 
     #[test]
-    fn a_new_step_forgets_what_was_taken_back() {
+    fn new_step_clears_redo() {
         let mut history = History::default();
         history.record("one", "two", other("first"));
         history.taken_back();
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_remembered_is_bounded() {
+    fn history_length_is_limited() {
         let mut history = History::default();
         let text = |n: usize| format!("value = {n}");
         for n in 0..3 * MOST_STEPS {
@@ -202,9 +202,10 @@ mod tests {
     }
 
     proptest! {
-        /// All the way back leads to the first text, all the way on to the last, to the byte.
+        /// Undoing every step restores the first text, and redoing every step the last one, byte
+        /// for byte.
         #[test]
-        fn back_and_forth(texts in proptest::collection::vec("[ab\u{e4}\u{20ac}]{0,8}", 1..12), nudges in 0_u32..) {
+        fn undo_and_redo_restore_every_text(texts in proptest::collection::vec("[ab\u{e4}\u{20ac}]{0,8}", 1..12), nudges in 0_u32..) {
             let mut history = History::default();
             for (i, pair) in texts.windows(2).enumerate() {
                 let deed = if nudges >> (i % 32) & 1 == 1 { Deed::Nudge("n".into()) } else { other("o") };

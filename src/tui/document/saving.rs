@@ -119,7 +119,7 @@ mod tests {
     }
 
     #[test]
-    fn what_would_be_lost_is_asked_about() {
+    fn existing_or_changed_file_is_not_overwritten_unasked() {
         let folder = std::env::temp_dir().join(format!("krank-saving-{}", std::process::id()));
         fs::create_dir_all(&folder).unwrap();
         let file = folder.join("scene.toml");
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn why_nothing_was_written_is_told_in_short() {
+    fn write_errors_have_short_messages() {
         let told = |kind: io::ErrorKind| {
             let trouble = Trouble::Io(kind.into());
             refused(&trouble, Path::new("/nowhere/scene.toml"))

@@ -224,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn it_moves_from_row_to_row_over_what_lies_between() {
+    fn cursor_moves_between_rows_across_headings() {
         use SheetPart::{Points, Vectors};
         let lines = lines();
         let cursor = place(Vectors, 2, 1);
@@ -242,7 +242,7 @@ mod tests {
     }
 
     #[test]
-    fn it_goes_from_part_to_part_and_stays_at_the_ends() {
+    fn cursor_jumps_between_parts_and_stops_at_ends() {
         use SheetPart::{Points, Vectors};
         let lines = lines();
         let parts = [
@@ -264,7 +264,7 @@ mod tests {
     }
 
     #[test]
-    fn it_moves_from_figure_to_figure_through_all_blocks() {
+    fn cursor_moves_between_columns_across_blocks() {
         use SheetPart::{Points, Vectors};
         let lines = lines();
         let mut cursor = place(Vectors, 1, 0);
@@ -274,12 +274,12 @@ mod tests {
         }
         assert_eq!(cursor.aside(&lines, 1), cursor);
         assert_eq!(place(Vectors, 1, 0).aside(&lines, -1), place(Vectors, 1, 0));
-        // What never moves ends with its position.
+        // The row of a fixed point ends with its position.
         assert_eq!(place(Points, 0, 1).aside(&lines, 1), place(Points, 0, 1));
     }
 
     #[test]
-    fn it_settles_where_its_place_is_not_shown() {
+    fn cursor_settles_if_its_cell_is_not_shown() {
         use SheetPart::{Points, Vectors};
         let lines = lines();
         assert_eq!(place(Points, 0, 3).settled(&lines), place(Points, 0, 0));
@@ -289,7 +289,7 @@ mod tests {
     }
 
     #[test]
-    fn wherever_it_is_it_is_seen_with_the_names_of_its_columns() {
+    fn cursor_row_and_its_column_names_stay_visible() {
         let lines = lines();
         for height in 4..lines.len() + 2 {
             let mut scroll = 0;

@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_have_six_digits_where_they_are_of_usual_size() {
+    fn columns_choose_digits_by_size_of_values() {
         assert_eq!(column(&[400.0, 250.0, 300.0], 250.0), "250.000");
         assert_eq!(column(&[15.0, 3.9], -3.916_412_7), "-3.9164");
         assert_eq!(column(&[22500.0, 1500.0], 22500.0), "22500.0");
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn zero_has_no_sign_and_what_does_not_exist_is_a_dash() {
+    fn zero_has_no_sign_and_missing_values_are_dashes() {
         let format = Format::of_sizes(vec![100.0]);
         let text = |entry: Entry| format.write(&entry).text;
         assert_eq!(text(unproved(-0.0)), "0.000");
@@ -261,7 +261,7 @@ mod tests {
     }
 
     #[test]
-    fn zero_is_shown_only_where_the_bound_allows_it() {
+    fn zero_is_shown_only_within_error_bound() {
         let format = Format::of_sizes(vec![100.0]);
         assert_eq!(format.write(&proved(6e-15, 1e-14)), Cell::sure("0.000"));
         assert_eq!(format.write(&proved(6e-5, 1e-14)).text, "6.0000e-5");
@@ -269,7 +269,7 @@ mod tests {
     }
 
     #[test]
-    fn digits_that_nothing_proves_are_told() {
+    fn unproved_digits_are_marked() {
         let format = Format::of_sizes(vec![100.0]);
         let unsure = |bound| format.write(&proved(123.456, bound)).unsure;
         assert_eq!(unsure(1e-13), Unsure::Nothing);
@@ -285,7 +285,7 @@ mod tests {
             (unsure(1e-12), unsure(0.07)),
             (Unsure::Nothing, Unsure::Last(0..1))
         );
-        // -1.234e8: the mantissa's digits, by what they count.
+        // In -1.234e8, mantissa digits count by their decimal place.
         let large = format.write(&proved(-123_456_789.0, 60_000.0));
         assert_eq!(
             (large.text.as_str(), large.unsure),
@@ -294,14 +294,14 @@ mod tests {
     }
 
     #[test]
-    fn near_a_dead_point_figures_take_an_exponent_rather_than_more_room() {
+    fn oversized_values_use_exponent() {
         let format = Format::of_sizes(vec![10.0, 12.0, 14.0, 20.0]);
         assert_eq!(format.write(&unproved(14.0)).text, "14.0000");
         assert_eq!(format.write(&unproved(-123_456_789.0)).text, "-1.2346e8");
     }
 
     #[test]
-    fn a_coordinate_says_what_it_is() {
+    fn coordinates_show_two_to_eight_decimals() {
         assert_eq!(coordinate(60.0, 2), "60.00");
         assert_eq!(coordinate(13.897_841, 2), "13.897841");
         assert_eq!(coordinate(28.955_024_371_859, 2), "28.95502437");
@@ -310,7 +310,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn no_figure_is_wider_than_its_column(
+        fn values_fit_column_width(
             sizes in prop::collection::vec(any::<f64>().prop_map(f64::abs), 0..8),
             value: f64,
         ) {
@@ -320,10 +320,10 @@ mod tests {
             }
         }
 
-        /// However a true value, its bound and a figure within it are drawn: the figure is right
-        /// within one unit of its last sure digit, and zero is shown only where it may be true.
+        /// For any true value, bound and value within it: the value is correct within one unit of
+        /// its last proved digit, and zero is shown only if it may be the true value.
         #[test]
-        fn every_sure_digit_is_covered_by_the_bound(
+        fn proved_digits_are_correct_within_one_unit(
             usual in -6..7,
             share in -1.0..1.0_f64,
             size in -17..2,
@@ -349,7 +349,7 @@ mod tests {
             if sure.bytes().any(|b| b.is_ascii_digit()) {
                 let exponent: i32 = text.split_once('e').map_or(0, |(_, e)| e.parse().unwrap());
                 let whole = sure.split_once('e').map_or(sure.as_str(), |(digits, _)| digits);
-                // Digits behind the point that are sure; in front of it, those that are not.
+                // Proved digits after the point, or unproved digits before it.
                 let point = text.find(['.', 'e']).unwrap_or(text.len());
                 let place = if whole.len() > point {
                     exponent - i32::try_from(whole.len() - point - 1).unwrap()

@@ -134,10 +134,10 @@ mod tests {
     }
 
     #[test]
-    fn the_best_fit_is_found_first() {
+    fn search_finds_best_match_first() {
         let tables = tables();
         let found = |typed| best(&tables, typed, Cursor::default()).map(|c| name(&tables, c));
-        // `C` is a name of its own, though `r2.com` has it in it.
+        // `C` is a name, although `r2.com` contains it.
         assert_eq!(found("c"), Some("C"));
         assert_eq!(found("R3"), Some("r3"));
         assert_eq!(found("r3."), Some("r3.com"));
@@ -146,7 +146,7 @@ mod tests {
     }
 
     #[test]
-    fn the_next_one_goes_round() {
+    fn next_match_wraps_around() {
         let tables = tables();
         let mut cursor = Cursor::default();
         let mut found = Vec::new();

@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn two_digits_and_a_unit() {
+    fn durations_show_two_digits_and_a_unit() {
         assert_eq!(told(61.3e-9), "61 ns");
         assert_eq!(told(9.96e-9), "10 ns");
         assert_eq!(told(999.6e-9), "1.0 us");
@@ -78,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_shown_does_not_dance() {
+    fn shown_duration_ignores_small_changes() {
         let mut cost = Cost::default();
         for seconds in [61e-9, 65e-9, 55e-9, 70e-9] {
             cost.take(seconds);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn a_measurement_takes_a_few_batches() {
+    fn measurement_is_limited_to_few_batches() {
         let mut cost = Cost::default();
         let mut states = 0;
         cost.measure(|| states += 1);

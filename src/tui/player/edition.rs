@@ -20,7 +20,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_edition_is_equal_to_itself_alone() {
+    fn revision_equals_only_its_clones() {
         let one = Edition::default();
         assert_eq!(one, one.clone());
         assert_ne!(one, Edition::default());

@@ -143,7 +143,7 @@ C = [75, 55]
 "#;
 
     #[test]
-    fn a_dead_point_is_told_when_it_comes_near() {
+    fn dead_point_ahead_is_reported_when_near() {
         let (scene, driver_range, solver) = open(SWINGING);
         let text = |at, backwards| {
             let ahead = ahead(&driver_range, solver.motion(), at, backwards);
@@ -159,8 +159,9 @@ C = [75, 55]
     }
 
     #[test]
-    fn a_change_point_is_told_on_every_turn() {
-        // Of a kite only every second turn is the same: its change points are at 0 and 360 of 720.
+    fn change_point_is_reported_on_every_turn() {
+        // The motion of a kite repeats every two turns: its change points are at 0 and 360 of 720
+        // degrees.
         for name in ["parallelogram", "kite"] {
             let (scene, driver_range, solver) = preset(name);
             for at in [-10.0, 350.0, 7190.0] {
@@ -174,7 +175,7 @@ C = [75, 55]
     }
 
     #[test]
-    fn nothing_is_ahead_of_a_crank_that_turns_fully() {
+    fn fully_rotating_crank_has_no_singularity_ahead() {
         let (_, driver_range, solver) = preset("four-bar");
         for at in [-720.0, 0.0, 60.0, 359.0] {
             assert_eq!(ahead(&driver_range, solver.motion(), at, false), None);
@@ -182,7 +183,7 @@ C = [75, 55]
     }
 
     #[test]
-    fn the_end_of_a_slides_travel_is_told_in_its_unit() {
+    fn slide_dead_point_is_reported_in_length_unit() {
         let (scene, driver_range, solver) = preset("excavator-boom");
         let (low, high) = driver_range.shuttle().unwrap();
         let at = high - 0.02 * (high - low);

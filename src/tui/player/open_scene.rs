@@ -609,9 +609,9 @@ mod tests {
     use super::*;
     use crate::tui::document::opening;
 
-    /// It is measured about once a second, and what is drawn is drawn from the state.
+    /// The cost is measured about once per second, and the drawing uses the state.
     #[test]
-    fn a_measurement_of_the_cost_leaves_the_state_its_forces() {
+    fn measuring_cost_keeps_forces_of_state() {
         let preset = crate::scene::presets::find("four-bar-load").unwrap();
         let mut open_scene = OpenScene::new(opening::preset(preset).unwrap());
         open_scene.balance_forces(true);

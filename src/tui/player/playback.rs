@@ -142,7 +142,7 @@ mod tests {
     }
 
     #[test]
-    fn a_turn_takes_four_seconds_whatever_the_drivers_speed() {
+    fn turn_takes_four_seconds_at_any_driver_speed() {
         let (track, mut playback) = (track("four-bar"), Playback::new());
         assert_eq!(playback.position(seconds(9.0), &track), None);
         playback.play(seconds(10.0), 60.0);
@@ -154,7 +154,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_of_pace_or_direction_does_not_jump() {
+    fn changing_speed_or_direction_keeps_position() {
         let (track, mut playback) = (track("four-bar"), Playback::new());
         playback.play(seconds(0.0), 60.0);
         playback.faster(seconds(1.0), 150.0);
@@ -162,14 +162,14 @@ mod tests {
         assert_eq!(playback.position(seconds(2.0), &track), Some(330.0));
         playback.reverse(seconds(2.0), 330.0);
         assert_eq!(playback.position(seconds(2.5), &track), Some(240.0));
-        // Paused: nothing begins by itself.
+        // While paused, changing the speed does not start playback.
         playback.pause();
         playback.slower(seconds(3.0), 240.0);
         assert_eq!(playback.position(seconds(4.0), &track), None);
     }
 
     #[test]
-    fn a_slide_sweeps_its_travel_to_and_fro() {
+    fn slide_sweeps_its_travel_back_and_forth() {
         let (track, mut playback) = (track("excavator-boom"), Playback::new());
         let (low, high) = track.shuttle.unwrap();
         let span = high - low;
@@ -187,7 +187,7 @@ mod tests {
                 "{time} s: {at}"
             );
         }
-        // Begun at the end and backwards, as after a step to the limit.
+        // Playback starts at the end and backwards, as after a step to the limit.
         playback.play(seconds(0.0), high);
         playback.reverse(seconds(0.0), high);
         let at = playback.position(seconds(1.0), &track).unwrap();

@@ -76,7 +76,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_ladder_of_lengths_is_round_and_opens_near_a_hundredth() {
+    fn length_steps_are_round_and_start_near_one_percent() {
         let steps = StepLadder::of_length(120.0);
         assert_eq!(
             steps.ladder,
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn the_ends_of_the_ladder_hold() {
+    fn steps_stop_at_ends_of_ladder() {
         let mut steps = StepLadder::of_angle();
         assert_eq!(steps.size(), 5.0);
         for _ in 0..20 {

@@ -24,7 +24,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_bytes_are_four_characters() {
+    fn base64_matches_known_encodings() {
         for (text, digits) in [
             ("", ""),
             ("f", "Zg=="),

@@ -30,7 +30,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_text_is_one_sequence_and_too_long_a_one_is_refused() {
+    fn clipboard_text_is_one_sequence_of_limited_size() {
         assert_eq!(sequence("60").unwrap(), b"\x1b]52;c;NjA=\x1b\\");
         let most = sequence(&"x".repeat(MOST_BYTES)).unwrap();
         assert!(most.len() - b"\x1b]52;c;\x1b\\".len() <= MOST_BASE64);

@@ -256,7 +256,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_changed_is_no_byte() {
+    fn unchanged_screen_writes_no_bytes() {
         let mut painter = painter(Colours::Sixteen, true);
         assert!(!painter.whole(text(&["hello"])).is_empty());
         assert!(painter.whole(text(&["hello"])).is_empty());
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_terminal_cannot_show_is_no_change() {
+    fn unsupported_colour_change_writes_no_bytes() {
         let mut painter = painter(Colours::None, true);
         painter.whole(text(&["hello"]));
         let mut red = text(&["hello"]);
@@ -275,7 +275,7 @@ mod tests {
     }
 
     #[test]
-    fn faint_text_is_plain_on_a_console() {
+    fn faint_text_is_plain_on_console() {
         let mut faint = text(&["unit"]);
         faint.set_style(
             Rect::new(0, 0, 4, 1),
@@ -290,7 +290,7 @@ mod tests {
     }
 
     #[test]
-    fn a_change_costs_what_it_must() {
+    fn changes_use_shortest_sequences() {
         let mut painter = painter(Colours::Sixteen, false);
         painter.whole(text(&["omega 1.234", "alpha"]));
         let frame = painter.whole(text(&["omega 1.235", "Alpha"])).to_vec();
@@ -300,7 +300,7 @@ mod tests {
     }
 
     #[test]
-    fn colours_of_the_palette_have_their_short_form() {
+    fn palette_colours_use_short_form() {
         let mut painter = painter(Colours::Sixteen, false);
         painter.whole(text(&[]));
         let mut wanted = text(&["ab"]);
@@ -313,9 +313,10 @@ mod tests {
         );
     }
 
-    /// A colour of true hues costs more than a way across the screen: all that has it is written at once.
+    /// A true colour takes more bytes than a cursor movement across the screen, so that all cells
+    /// of one colour are written together.
     #[test]
-    fn one_hue_after_the_other() {
+    fn true_colours_are_written_grouped_by_colour() {
         let look = Palette {
             colours: Colours::True,
             theme: Theme::Dark,
@@ -340,7 +341,7 @@ mod tests {
             Style::new().bg(Color::Blue),
             Style::new().add_modifier(Modifier::REVERSED | Modifier::UNDERLINED),
         ]);
-        // Mostly blank, as screens are.
+        // Mostly blank, like real screens.
         let symbols = prop::sample::select("        abc|".chars().collect::<Vec<_>>());
         let cells = usize::from(WIDTH * HEIGHT);
         prop::collection::vec((symbols, styles), cells..=cells).prop_map(|cells| {
@@ -375,9 +376,9 @@ mod tests {
     }
 
     proptest! {
-        /// Frame by frame, the terminal shows what it would show if all were drawn anew.
+        /// After each frame, the terminal shows what a complete redraw would show.
         #[test]
-        fn differences_add_up_to_the_screen(
+        fn frame_differences_add_up_to_screen(
             screens in prop::collection::vec(screens(), 1..6),
             modern: bool,
         ) {
@@ -389,10 +390,10 @@ mod tests {
             }
         }
 
-        /// Frames that are cut add up, too, also where the next screen comes before the last one was
-        /// finished; none is longer than it may be, and what is urgent is shown first.
+        /// Cut frames also add up to the screen, even if the next screen arrives before the last
+        /// one is complete. No frame exceeds its length limit.
         #[test]
-        fn frames_that_are_cut_add_up_to_the_screen(
+        fn cut_frames_add_up_to_screen(
             screens in prop::collection::vec((screens(), 0_usize..6), 1..6),
             room in 0_usize..120,
             modern: bool,
@@ -421,9 +422,9 @@ mod tests {
         }
     }
 
-    /// On a slow line a box is drawn in ASCII at first, which takes a third of the bytes.
+    /// On a slow line a box is first drawn in ASCII, which takes a third of the bytes.
     #[test]
-    fn boxes_are_roughly_drawn_at_first() {
+    fn boxes_are_ascii_first_in_short_frames() {
         let mut painter = painter(Colours::None, true);
         painter.whole(text(&[]));
         let line = "\u{2500}".repeat(12);
@@ -445,7 +446,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_urgent_comes_first() {
+    fn urgent_areas_are_written_first() {
         let mut painter = painter(Colours::None, true);
         painter.whole(text(&["", "", "", ""]));
         painter.wanted = text(&["wwwwwwww", "xxxxxxxx", "yyyyyyyy", "zzzzzzzz"]);

@@ -365,7 +365,7 @@ mod tests {
     }
 
     #[test]
-    fn a_line_of_9600_baud_gets_a_quarter_of_a_second() {
+    fn frames_at_9600_baud_take_quarter_of_a_second() {
         for way in [0.0, 0.002, 0.05] {
             let line = Line { rate: 960.0, way };
             let mut rate_limit = RateLimit::new(None);
@@ -376,7 +376,7 @@ mod tests {
     }
 
     #[test]
-    fn a_fast_line_gets_whole_screens_at_once() {
+    fn fast_line_gets_whole_screens_after_one_frame() {
         let mut rate_limit = RateLimit::new(None);
         let local = Line {
             rate: 1e7,
@@ -386,9 +386,9 @@ mod tests {
         assert!(rate_limit.room() > 20_000, "{}", rate_limit.room());
     }
 
-    /// A picture that was drawn before the question was asked says nothing of the line by its bytes.
+    /// The bytes of an image drawn before the query say nothing about the line's speed.
     #[test]
-    fn what_was_said_between_frames_makes_no_line_faster() {
+    fn bytes_between_frames_do_not_raise_limit() {
         let line = Line {
             rate: 960.0,
             way: 0.01,
@@ -403,22 +403,22 @@ mod tests {
         assert_eq!(rate_limit.room(), room);
     }
 
-    /// A far terminal is not a slow one: the way there and back is no reason for short frames.
+    /// High latency does not mean low speed: the round-trip time does not shorten frames.
     #[test]
-    fn a_far_terminal_gets_whole_screens_soon() {
+    fn high_latency_line_gets_whole_screens_soon() {
         for way in [0.03, 0.1, 0.4] {
             let line = Line { rate: 1e6, way };
             let mut rate_limit = RateLimit::new(None);
             line.frames(&mut rate_limit, 6, 3000);
             assert!(rate_limit.room() > 3000, "{way}: {}", rate_limit.room());
-            // Nor do many short frames make it one.
+            // Nor do many short frames.
             line.frames(&mut rate_limit, 50, 40);
             assert!(rate_limit.room() > 3000, "{way}: {}", rate_limit.room());
         }
     }
 
     #[test]
-    fn a_line_that_becomes_slow_is_noticed() {
+    fn limit_follows_changes_of_line_speed() {
         let mut rate_limit = RateLimit::new(None);
         let fast = Line {
             rate: 1e5,
@@ -436,7 +436,7 @@ mod tests {
     }
 
     #[test]
-    fn a_serial_line_tells_its_speed() {
+    fn serial_line_speed_sets_limit() {
         let mut rate_limit = RateLimit::new(Some(240.0));
         assert_eq!(rate_limit.room(), 64);
         let mut pace_of_line = RateLimit::new(Some(11_520.0));
@@ -447,7 +447,7 @@ mod tests {
         };
         let (longest, _) = line.frames(&mut pace_of_line, 50, 5000);
         assert!(longest < 0.3, "{longest}");
-        // Where nobody answers, the speed is all that is known.
+        // Without answers only the configured speed is known.
         let now = Instant::now();
         rate_limit.send(64, now);
         assert!(!rate_limit.send(64, now + PATIENCE));
@@ -456,7 +456,7 @@ mod tests {
     }
 
     #[test]
-    fn the_first_frame_is_short_and_not_waited_for_long() {
+    fn first_frame_is_short_and_has_short_timeout() {
         let (mut rate_limit, now) = (RateLimit::new(None), Instant::now());
         assert_eq!((rate_limit.ready_at(), rate_limit.room()), (None, PROBE));
         assert!(rate_limit.send(PROBE, now));
@@ -465,7 +465,7 @@ mod tests {
     }
 
     #[test]
-    fn one_frame_is_on_its_way_where_the_terminal_answers() {
+    fn answering_terminal_has_one_frame_in_flight() {
         let (mut rate_limit, now) = (RateLimit::new(None), Instant::now());
         rate_limit.send(100, now);
         rate_limit.answered(now + MOMENT);
@@ -477,9 +477,9 @@ mod tests {
         assert_eq!(rate_limit.farewell(now), None);
     }
 
-    /// One that was lost used to stop the screen for 4 s.
+    /// Regression: a lost answer stopped the screen for 4 s.
     #[test]
-    fn a_lost_answer_is_waited_for_as_the_line_was_found() {
+    fn timeout_of_lost_answer_follows_line_speed() {
         let mut now = Instant::now();
         for (way, most) in [(3e-4, 0.25), (0.1, 1.0), (0.4, 3.5)] {
             let line = Line { rate: 1e6, way };
@@ -492,7 +492,7 @@ mod tests {
                 "{:?}",
                 ready - now
             );
-            // It is asked again, and one that comes makes all good.
+            // The query is repeated, and an answer resets the timeout.
             assert!(rate_limit.send(100, ready));
             let later = rate_limit.ready_at().unwrap() - ready;
             assert!(later >= (ready - now).min(MOST_PATIENCE), "{later:?}");
@@ -500,7 +500,7 @@ mod tests {
             assert_eq!(rate_limit.ready_at(), None);
             now = ready + MOMENT;
         }
-        // A slow line takes its time for what was sent.
+        // A slow line needs more time for the bytes sent.
         let line = Line {
             rate: 960.0,
             way: 0.002,
@@ -511,9 +511,10 @@ mod tests {
         assert!(rate_limit.ready_at().unwrap() - now > Duration::from_millis(500));
     }
 
-    /// On a busy machine an answer takes a second, and one that was then lost used to stop the screen for 4 s.
+    /// On a busy machine an answer takes a second. Regression: an answer lost after that stopped
+    /// the screen for 4 s.
     #[test]
-    fn lost_answer_stops_no_busy_screen_for_long() {
+    fn timeout_of_lost_answer_is_limited_on_busy_machine() {
         let mut rate_limit = RateLimit::new(None);
         let mut now = Instant::now();
         for _ in 0..3 {
@@ -529,9 +530,10 @@ mod tests {
         }
     }
 
-    /// The answer to a question that was given up is none to the next: the line used to be thought a fast one.
+    /// The late answer to an abandoned query does not count as an answer to the next. Regression:
+    /// the line was then considered fast.
     #[test]
-    fn late_answer_makes_no_line_faster() {
+    fn late_answer_does_not_raise_limit() {
         let line = Line {
             rate: 960.0,
             way: 0.01,
@@ -545,7 +547,7 @@ mod tests {
         assert!(rate_limit.send(240, now));
         rate_limit.answered(now + MOMENT);
         assert_eq!(rate_limit.room(), room);
-        // What comes after that is to be believed again.
+        // Later answers count again.
         now += PATIENCE;
         rate_limit.send(240, now);
         rate_limit.answered(now + Duration::from_millis(20));
@@ -553,7 +555,7 @@ mod tests {
     }
 
     #[test]
-    fn a_terminal_that_falls_silent_is_asked_no_more() {
+    fn silent_terminal_is_no_longer_queried() {
         let mut now = Instant::now();
         let mut rate_limit = RateLimit::new(None);
         rate_limit.send(100, now);
@@ -568,7 +570,7 @@ mod tests {
     }
 
     #[test]
-    fn a_mute_terminal_is_no_longer_asked_until_it_speaks() {
+    fn mute_terminal_is_queried_again_once_it_answers() {
         let (mut rate_limit, now) = (RateLimit::new(None), Instant::now());
         assert!(rate_limit.send(100, now));
         assert!(

@@ -1,4 +1,4 @@
-//! The list of candidates as it is said in another language, and without a clock of its own.
+//! Tests the list of candidates in both languages and with a simulated clock.
 
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -9,13 +9,13 @@ use crate::tui::{TaskOrder, Workbench};
 use crate::wording::Language;
 use ratatui::layout::Size;
 
-/// The four-bar, and over it the linkages for the hatch.
+/// Opens the four-bar and searches linkages for the hatch task.
 fn looking_for_hatch(size: Size) -> Workbench {
     let text = ExampleTask::find("hatch").unwrap().text;
     looking_for(text, "hatch", size)
 }
 
-/// The same for its first four poses, which leave curves open.
+/// Searches linkages for the first four poses of the hatch, which leave curves of solutions.
 fn looking_for_four_poses(size: Size) -> Workbench {
     let text = ExampleTask::find("hatch").unwrap().text;
     let text = text.replace(", [-250, 26.9, -24.3]]", "]");
@@ -35,7 +35,7 @@ fn looking_for(text: &str, name: &str, size: Size) -> Workbench {
 }
 
 #[test]
-fn candidates_are_told_in_the_language_that_is_spoken() {
+fn candidate_list_uses_current_language() {
     for size in [Size::new(40, 12), Size::new(80, 24), Size::new(120, 40)] {
         Language::English.speak();
         let mut changed = looking_for_hatch(size);
@@ -48,16 +48,16 @@ fn candidates_are_told_in_the_language_that_is_spoken() {
             assert!(said.contains(told), "{told}\n{turkish}");
         }
         assert_ne!(english, turkish);
-        // What was found before says itself again.
+        // Candidates found before the change are translated.
         changed.press("Esc B o Home Enter");
         assert_eq!(changed.text(), turkish, "{size}");
         Language::English.speak();
     }
 }
 
-/// Frames come while it is played, and none where it stands.
+/// Frames are requested only during playback.
 #[test]
-fn a_candidate_that_stands_asks_for_no_frame() {
+fn paused_candidate_requests_no_frame() {
     let mut workbench = looking_for_hatch(Size::new(80, 24));
     assert_eq!(workbench.app().next_frame(), None);
     workbench.press("space");
@@ -66,13 +66,14 @@ fn a_candidate_that_stands_asks_for_no_frame() {
     assert_eq!(workbench.app().next_frame(), None);
 }
 
-/// Four poses: the curves are walked, two pivots with their pins make a linkage, and it is put where it belongs.
+/// With four poses the cursor moves along curves. Picking two pivots with their pins makes a
+/// linkage, which is added to the list at its rank.
 #[test]
-fn curves_are_walked_and_two_picks_make_a_linkage() {
+fn two_picks_on_curves_add_a_candidate() {
     for size in [Size::new(40, 12), Size::new(80, 24), Size::new(120, 40)] {
         let mut workbench = looking_for_four_poses(size);
         let before = workbench.app().candidates().unwrap().rows().len();
-        // Without room for both the drawing lies between the list and the curves.
+        // On a narrow screen the drawing is between the list and the curves.
         let way = if size.width < 80 { "Tab Tab" } else { "Tab" };
         workbench.press(way);
         let place = |workbench: &mut Workbench| {
@@ -85,7 +86,7 @@ fn curves_are_walked_and_two_picks_make_a_linkage() {
         workbench.press("Enter PgDn");
         let text = workbench.text();
         assert!(text.contains("on curve 2 of"), "{text}");
-        // What two picks make is judged as every candidate is, and told at once.
+        // A linkage from two picks is evaluated like any candidate and shown at once.
         let told = |list: &crate::tui::views::candidates::list::CandidateList| {
             list.chosen().map(|(candidate, _)| candidate.clone())
         };
@@ -107,9 +108,9 @@ fn curves_are_walked_and_two_picks_make_a_linkage() {
     }
 }
 
-/// From the second pick back to the first, to the list, and out.
+/// From the second pick to the first, to the list, and out of it.
 #[test]
-fn one_step_back_at_a_time() {
+fn escape_goes_back_one_step_at_a_time() {
     let mut workbench = looking_for_four_poses(Size::new(80, 24));
     workbench.press("Tab Enter Right Esc");
     assert!(
@@ -136,9 +137,9 @@ fn one_step_back_at_a_time() {
     );
 }
 
-/// Help that was opened over the list leads back to it.
+/// Closing the help opened from the list returns to the list.
 #[test]
-fn help_over_the_list_leads_back() {
+fn closing_help_returns_to_candidate_list() {
     let mut workbench = looking_for_hatch(Size::new(80, 24));
     let list = workbench.text();
     for leave in ["Esc", "?"] {

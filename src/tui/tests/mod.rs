@@ -1,4 +1,4 @@
-//! Tests of the workbench as a whole that see inside.
+//! Tests the whole workbench, with access to its internals.
 
 mod candidates;
 mod monkey;
@@ -19,7 +19,7 @@ use crate::wording::Language;
 use ratatui::layout::Size;
 use std::time::Duration;
 
-/// A workbench with a scene on which something acts.
+/// Opens a scene with loads.
 fn loaded(size: Size) -> App {
     let capability = Capability {
         glyphs: Glyphs::Ascii,
@@ -30,7 +30,7 @@ fn loaded(size: Size) -> App {
     App::new(opened, None, capability, size)
 }
 
-/// Whether what lengths do, forces and the working are found.
+/// Returns whether the effects of lengths, the forces and the working have been computed.
 fn found(app: &App) -> [bool; 3] {
     let open_scene = app.open_scene();
     let [lengths, forces] = [
@@ -40,19 +40,19 @@ fn found(app: &App) -> [bool; 3] {
     [lengths, forces, open_scene.explained().is_some()]
 }
 
-/// The terminal tells that it has drawn the last frame: nothing of the picture follows from that, and while it plays it
-/// comes as often as frames do.
+/// The terminal's answer means that the last frame is drawn. It changes nothing in the picture, and
+/// during playback it arrives as often as frames.
 #[test]
-fn an_answer_alone_is_no_reason_for_a_frame() {
+fn answer_alone_does_not_trigger_a_frame() {
     assert!(is_room_alone(&[Wake::Room, Wake::Room]));
     for wakes in [&[][..], &[Wake::Written], &[Wake::Room, Wake::Done]] {
         assert!(!is_room_alone(wakes), "{wakes:?}");
     }
 }
 
-/// What stands is found, whichever pane is looked at, and what stands no longer is not.
+/// The data of visible panes is computed, whichever pane has the focus; other data is not.
 #[test]
-fn what_every_pane_needs_is_found_and_only_that() {
+fn only_data_of_visible_panes_is_computed() {
     let press = |app: &mut App, action| app.update(action, Duration::ZERO);
     let mut app = loaded(Size::new(120, 40));
     assert!(app.plots().plot().is_ok(), "a plot stands from the start");
@@ -68,15 +68,16 @@ fn what_every_pane_needs_is_found_and_only_that() {
     press(&mut app, Action::Alone);
     press(&mut app, Action::Look(View::Working));
     assert_eq!(found(&app), [false, false, true]);
-    // A screen that has no room for panes has what is looked at.
+    // A screen too small for panes shows only the focused view.
     app.resize(Size::new(80, 24), None);
     press(&mut app, Action::Look(View::Motion));
     assert_eq!(found(&app), [false; 3]);
 }
 
-/// The working of a leg is some thousand lines: whoever has left it is not to wait for them.
+/// The working of a walking leg has about a thousand lines. Leaving its view avoids waiting for
+/// them.
 #[test]
-fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
+fn data_of_a_view_is_dropped_when_it_closes() {
     let mut app = loaded(Size::new(80, 24));
     for (view, expected) in [
         (View::Working, [false, false, true]),
@@ -85,7 +86,7 @@ fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
     ] {
         app.update(Action::Look(view), Duration::ZERO);
         assert_eq!(found(&app), expected, "{view:?}");
-        // The list of assemblies stands in the motion view.
+        // The list of assemblies is part of the motion view.
         app.update(Action::Assemblies, Duration::ZERO);
         assert_eq!(app.view(), View::Motion);
         assert_eq!(found(&app), [false; 3], "after {view:?}");
@@ -94,7 +95,7 @@ fn what_a_view_needs_is_found_while_it_is_looked_at_and_only_then() {
 }
 
 #[test]
-fn parts_of_the_scene_are_jumped_between() {
+fn keys_jump_between_parts_of_the_scene() {
     let capability = Capability {
         glyphs: Glyphs::Ascii,
         colours: Colours::None,
@@ -126,9 +127,9 @@ fn parts_of_the_scene_are_jumped_between() {
     assert_eq!(press("K K"), "r3 length");
 }
 
-/// What was said before the language was changed is said again: the screen is that of who has opened in it.
+/// Texts shown before the change are translated: the screen equals one opened in that language.
 #[test]
-fn a_language_that_is_changed_leaves_nothing_of_the_one_before() {
+fn changing_language_retranslates_every_view() {
     let open = |keys: &str| {
         let opened = opening::preset(presets::find("four-bar-load").unwrap()).unwrap();
         let mut workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, 100, 36);

@@ -1,9 +1,9 @@
-//! A monkey at the keys: whatever it does, the workbench lives, its state is valid, and nothing is painted that
-//! the terminal cannot show.
+//! Tests the workbench with a random user, called the monkey. No action may cause a panic, an
+//! invalid state, or output that the terminal cannot show.
 //!
-//! `cargo test` lets it act 6,000 times; `KRANK_MONKEY=1000000 cargo test --release monkey` a million times.
-//! A failure prints the seed of its episode, and `KRANK_MONKEY_SEED` begins with that one. The monkey saves
-//! files where it can: it works in a process of its own, in an empty folder.
+//! `cargo test` runs 6,000 actions, and `KRANK_MONKEY=1000000 cargo test --release monkey` a
+//! million. A failure prints the seed of its episode; `KRANK_MONKEY_SEED` starts with that seed.
+//! Because the monkey saves files, it runs in its own process, in an empty folder.
 
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -25,19 +25,19 @@ use std::path::{Component, Path};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-/// Actions in the life of one workbench.
+/// Maximum number of actions per workbench.
 const EPISODE: usize = 400;
-/// Actions of an ordinary run.
+/// Number of actions by default.
 const ORDINARY: usize = 6000;
-/// Set for the process in which the monkey is.
+/// The environment variable that marks the monkey's process.
 const CAGE: &str = "KRANK_MONKEY_CAGE";
 
 #[test]
-fn a_monkey_at_the_keys_breaks_nothing() {
+fn monkey_actions_keep_workbench_valid() {
     caged("tui::tests::monkey::in_its_cage");
 }
 
-/// Runs another test in a process and a folder of its own.
+/// Runs another test in a separate process and folder.
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
 fn caged(test: &str) {
     let name = test.replace("::", "-");
@@ -64,7 +64,7 @@ fn caged(test: &str) {
     }
 }
 
-/// Not to be run by itself: it writes files where it stands.
+/// Does nothing if started directly, because it writes files to the current folder.
 #[test]
 #[ignore = "started by the test above, in a folder of its own"]
 #[allow(clippy::print_stdout, reason = "the figures are to be read")]
@@ -87,7 +87,7 @@ fn in_its_cage() {
     println!("{actions} actions of a monkey in {seconds:.1} s");
 }
 
-/// A workbench from its opening to its end. How many actions it took.
+/// Runs one workbench from start to end, and returns the number of actions.
 fn episode(seed: u64) -> usize {
     let mut done = Vec::new();
     let outcome = panic::catch_unwind(AssertUnwindSafe(|| live(&mut Chance(seed), &mut done)));
@@ -102,11 +102,11 @@ fn episode(seed: u64) -> usize {
     done.len()
 }
 
-/// What a monkey does.
+/// An action of the monkey.
 #[derive(Debug)]
 enum MonkeyDeed {
     Press(Key),
-    /// What a line sends: keys, pieces of them, and noise.
+    /// Bytes from the terminal line: keys, parts of keys, and random bytes.
     Bytes(Vec<u8>),
     Paste(String),
     Resize(u16, u16),
@@ -171,7 +171,8 @@ fn live(chance: &mut Chance, done: &mut Vec<MonkeyDeed>) {
     }
 }
 
-/// Sends bytes as a terminal does, and after a nul nothing for a while. False once the workbench was left.
+/// Sends bytes as a terminal does; a NUL byte stands for a pause. Returns `false` once the
+/// workbench has quit.
 fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> bool {
     let mut inputs = Vec::new();
     for byte in bytes {
@@ -247,7 +248,7 @@ fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
     }
 }
 
-/// What a hand does with the mouse, somewhere on the screen and now and then beyond it.
+/// Returns a random mouse event, sometimes beyond the edge of the screen.
 fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
     let deeds = [
         MouseDeed::Press,
@@ -265,7 +266,8 @@ fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
     }
 }
 
-/// Bytes as a bad line sends them; a quit by accident teaches nothing.
+/// Returns random bytes as from a bad line, without keys that quit, because quitting ends the
+/// episode.
 fn noise(chance: &mut Chance) -> Vec<u8> {
     let mut bytes = Vec::new();
     for _ in 0..chance.below(12) {
@@ -278,7 +280,7 @@ fn noise(chance: &mut Chance) -> Vec<u8> {
     bytes
 }
 
-/// Keys that lead on and back, whatever is asked.
+/// Keys that confirm, cancel or move, in every mode.
 const LEADING: [Key; 10] = [
     Key::Enter,
     Key::Enter,
@@ -292,7 +294,7 @@ const LEADING: [Key; 10] = [
     Key::Right,
 ];
 
-/// What no keyboard sends, but a line might.
+/// Keys that no keyboard sends, but a bad line might.
 const ODD: [Key; 9] = [
     Key::Char('\u{e9}'),
     Key::Char('\u{4e2d}'),
@@ -314,14 +316,14 @@ fn by_the_table(chance: &mut Chance) -> Key {
     let rows: Vec<&[Key]> = keymap.rows().map(|(_, keys)| keys).collect();
     let keys = *chance.one_of(&rows);
     let key = *chance.one_of(keys);
-    // A monkey that leaves learns nothing more: that it may is tried now and then.
+    // Quitting ends the episode, so it is rare.
     if matches!(key, Key::Char('q') | Key::Ctrl('c')) && chance.below(20) > 0 {
         return Key::Char(' ');
     }
     key
 }
 
-/// Whether the monkey stays in its cage: it looks and writes nowhere else.
+/// Returns `true` if the action reads and writes only within the monkey's folder.
 fn stays(app: &App, deed: &MonkeyDeed) -> bool {
     match (app.mode(), deed) {
         (Mode::FileName(_), MonkeyDeed::Press(Key::Char(c))) => !matches!(c, '/' | '~' | '.'),
@@ -353,7 +355,7 @@ fn is_in_cage(path: &Path) -> bool {
     within.components().all(inside)
 }
 
-/// What must hold whatever was done.
+/// Checks the invariants of the workbench.
 fn check(app: &App) {
     let open_scene = app.open_scene();
     let at = open_scene.at();
@@ -382,7 +384,7 @@ fn check(app: &App) {
                 "no entry under the cursor"
             );
         }
-        // What is typed has no invariants that the type does not keep.
+        // Typed text has no invariants beyond those of its type.
         _ => {}
     }
     let scrolls = matches!(
@@ -406,7 +408,7 @@ fn check(app: &App) {
     }
 }
 
-/// Every byte is one that the terminal can show.
+/// Checks that the terminal can show every byte of a frame.
 fn check_bytes(frame: &[u8], glyphs: Glyphs, colours: Colours) {
     let text = std::str::from_utf8(frame).expect("frames are whole characters");
     let mut rest = text;
@@ -442,9 +444,9 @@ fn check_text(text: &str, glyphs: Glyphs, frame: &str) {
     assert!(text.chars().all(allowed), "{text:?} in {frame:?}");
 }
 
-/// The parser of what a terminal sends, and the workbench behind it, fed with anything.
+/// Feeds arbitrary bytes to the parser of terminal input and to the workbench behind it.
 #[test]
-fn fuzz_the_keys_in_a_cage() {
+fn fuzz_keys_in_separate_process() {
     caged("tui::tests::monkey::fuzz_the_keys");
 }
 
@@ -468,7 +470,7 @@ fn fuzz_the_keys() {
     });
 }
 
-/// Beginnings, ends and wholes of what terminals send.
+/// Complete and partial sequences that terminals send.
 const SEQUENCES: [&str; 40] = [
     "\u{1b}",
     "\u{1b}[",
@@ -512,7 +514,7 @@ const SEQUENCES: [&str; 40] = [
     " ",
 ];
 
-/// One workbench that is sent these bytes; what it came to.
+/// Sends the bytes to a new workbench, and returns a hash of the outcome.
 fn typed(first: u8, second: u8, bytes: &[u8]) -> u64 {
     let all = presets::all();
     let opened = opening::preset(&all[usize::from(first) % all.len()]).unwrap();

@@ -1,4 +1,4 @@
-//! What the mouse does on a whole screen.
+//! Tests mouse input on a whole screen.
 
 mod ends;
 
@@ -17,11 +17,11 @@ use ratatui::layout::{Position, Size};
 
 const COLS: u16 = 80;
 const ROWS: u16 = 24;
-/// The largest screen of these tests.
+/// The largest screen in these tests.
 const WIDEST: u16 = 120;
 const HIGHEST: u16 = 40;
 
-/// A preset on a usual screen, painted.
+/// Opens a preset on a screen of 80 by 24 cells, presses keys, and paints it.
 fn bench(preset: &str, keys: &str) -> Workbench {
     bench_on(preset, keys, Size::new(COLS, ROWS))
 }
@@ -48,7 +48,7 @@ fn point(bench: &mut Workbench, deed: MouseDeed, at: Position) {
     bench.paint();
 }
 
-/// The cell of the drawing that shows a place of the scene, and half a cell's height there.
+/// Returns the cell of the drawing nearest to a position in the scene, and the cell's height there.
 fn cell(bench: &Workbench, place: Vec2) -> (Position, f64) {
     let columns = (0..WIDEST).flat_map(|x| (0..HIGHEST).map(move |y| Position::new(x, y)));
     let seen = columns.filter_map(|at| Some((at, bench.place(at)?)));
@@ -58,7 +58,7 @@ fn cell(bench: &Workbench, place: Vec2) -> (Position, f64) {
     (at, 2.0 * seen.column)
 }
 
-/// A row of the screen on which this is written.
+/// Returns the first row of the screen that contains a text.
 fn row(bench: &mut Workbench, text: &str) -> u16 {
     let screen = bench.text();
     let row = screen.lines().position(|line| line.contains(text));
@@ -66,7 +66,7 @@ fn row(bench: &mut Workbench, text: &str) -> u16 {
 }
 
 #[test]
-fn until_it_is_taken_the_mouse_is_the_terminals() {
+fn mouse_is_ignored_until_enabled() {
     let mut bench = bench("four-bar", "");
     let before = bench.text();
     for deed in [MouseDeed::Press, MouseDeed::Drag, MouseDeed::WheelUp] {
@@ -83,7 +83,7 @@ fn until_it_is_taken_the_mouse_is_the_terminals() {
 }
 
 #[test]
-fn a_tab_is_clicked_and_a_row_and_a_value() {
+fn clicks_select_tab_row_and_value() {
     let mut bench = bench("four-bar", "M");
     let x = bench.text().find("2 Tables").unwrap();
     point(
@@ -95,7 +95,7 @@ fn a_tab_is_clicked_and_a_row_and_a_value() {
     let y = row(&mut bench, "r4  ");
     point(&mut bench, MouseDeed::Press, Position::new(8, y));
     assert_eq!(bench.app().cursor().row, 2);
-    // The wheel goes on from there.
+    // The wheel continues from that row.
     point(&mut bench, MouseDeed::WheelUp, Position::new(8, y));
     assert_eq!(bench.app().cursor().row, 0);
     bench.press("6");
@@ -105,13 +105,14 @@ fn a_tab_is_clicked_and_a_row_and_a_value() {
 }
 
 #[test]
-fn the_crank_turns_with_the_mouse_and_stays_where_it_is_let_go() {
+fn dragging_moves_driver_until_release() {
     let mut bench = bench("four-bar", "M");
     let of = |degrees: f64| crate::angle::unit(degrees) * 100.0;
     let (from, _) = cell(&bench, of(60.0));
     point(&mut bench, MouseDeed::Press, from);
     assert_eq!(bench.app().open_scene().at(), 60.0);
-    // A turn and a half, as far as a hand goes between two reports; backwards is backwards.
+    // Nearly a full turn, in steps as large as between two mouse reports. Dragging backwards turns
+    // backwards.
     for degrees in [90.0, 140.0, 200.0, 270.0, 350.0, 380.0, 340.0] {
         let (to, size) = cell(&bench, of(degrees));
         point(&mut bench, MouseDeed::Drag, to);
@@ -126,7 +127,7 @@ fn the_crank_turns_with_the_mouse_and_stays_where_it_is_let_go() {
     point(&mut bench, MouseDeed::Release, from);
     point(&mut bench, MouseDeed::Drag, from);
     assert_eq!(bench.app().open_scene().at(), at);
-    // What is pushed goes along its guide.
+    // A slide moves along its guide.
     let mut boom = self::bench("excavator-boom", "M");
     let before = boom.app().open_scene().at();
     let slide = boom
@@ -149,7 +150,7 @@ fn the_crank_turns_with_the_mouse_and_stays_where_it_is_let_go() {
 }
 
 #[test]
-fn the_wheel_makes_what_is_under_it_larger() {
+fn wheel_zooms_in_at_pointer() {
     let mut bench = bench("four-bar", "M");
     let (at, size) = cell(&bench, Vec2::new(300.0, 200.0));
     let before = bench.place(at).unwrap();
@@ -163,7 +164,7 @@ fn the_wheel_makes_what_is_under_it_larger() {
 }
 
 #[test]
-fn a_pin_of_the_ground_is_drawn_elsewhere_and_one_undo_takes_it_back() {
+fn dragging_ground_pin_is_one_undo_step() {
     let mut bench = bench("four-bar", "M 6");
     let text = bench.app().open_scene().scene().text().to_owned();
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
@@ -179,9 +180,9 @@ fn a_pin_of_the_ground_is_drawn_elsewhere_and_one_undo_takes_it_back() {
     assert_eq!(bench.app().open_scene().scene().text(), text);
 }
 
-/// The window does not run away from the hand, though what the scene needs grows with every step.
+/// The viewport stays fixed under the pointer, although each step extends the scene.
 #[test]
-fn a_pin_that_is_dragged_stays_under_the_pointer() {
+fn dragged_pin_stays_under_pointer() {
     let mut bench = bench("four-bar", "M 6");
     let (from, near) = cell(&bench, Vec2::new(400.0, 0.0));
     point(&mut bench, MouseDeed::Press, from);
@@ -197,9 +198,9 @@ fn a_pin_that_is_dragged_stays_under_the_pointer() {
     }
 }
 
-/// What was held when something came up is held no more behind it.
+/// An overlay opened during a drag ends the drag.
 #[test]
-fn a_button_that_is_released_while_help_is_read_holds_nothing() {
+fn release_during_help_ends_drag() {
     let mut bench = bench("four-bar", "M");
     let (from, _) = cell(&bench, Vec2::new(50.0, 86.0));
     point(&mut bench, MouseDeed::Press, from);
@@ -214,7 +215,7 @@ fn a_button_that_is_released_while_help_is_read_holds_nothing() {
 }
 
 #[test]
-fn a_plot_leads_the_driver() {
+fn dragging_in_plot_moves_driver() {
     let mut bench = bench("four-bar", "M 3");
     let y = row(&mut bench, "360");
     for x in [20, 60, 40] {
@@ -225,16 +226,16 @@ fn a_plot_leads_the_driver() {
         };
         point(&mut bench, deed, Position::new(x, y - 3));
         let at = bench.app().open_scene().at();
-        // From 0 to 360 over all but the first columns.
+        // The x axis goes from 0 to 360 over all columns but the first.
         let share = f64::from(x - 5) / f64::from(COLS - 8) * 360.0;
         assert!((at - share).abs() < 12.0, "{at} {share}");
     }
 }
 
-/// The window goes along with B, and so every place on the screen shows another place of the scene after each step: a
-/// hand that rests must not be outrun.
+/// The viewport follows B, so every cell shows another position after each step. The driver must
+/// stay stable while the pointer rests.
 #[test]
-fn the_crank_does_not_run_away_in_a_window_that_goes_along() {
+fn crank_drag_is_stable_in_following_viewport() {
     for keys in ["M s", "M F", "M"] {
         let mut bench = bench("four-bar", keys);
         let (from, _) = cell(&bench, Vec2::new(50.0, 86.6));
@@ -254,9 +255,9 @@ fn the_crank_does_not_run_away_in_a_window_that_goes_along() {
     }
 }
 
-/// Where the scene's values are looked at, its pins are taken in the drawing beside them.
+/// In the scene view, ground pins can be dragged in the drawing next to it.
 #[test]
-fn pins_are_drawn_where_panes_stand_too() {
+fn ground_pins_can_be_dragged_next_to_scene_pane() {
     let mut bench = bench_on("four-bar", "M 6", Size::new(120, 40));
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
     point(&mut bench, MouseDeed::Press, from);
@@ -266,7 +267,7 @@ fn pins_are_drawn_where_panes_stand_too() {
     assert!(!scene.contains("D = [400, 0]"), "{scene}");
     assert_eq!(bench.app().view(), View::Scene);
     assert_eq!(bench.app().open_scene().at(), 60.0);
-    // Both coordinates are one edit.
+    // Both coordinates change in one edit.
     bench.press("u");
     assert!(
         bench
@@ -276,7 +277,7 @@ fn pins_are_drawn_where_panes_stand_too() {
             .text()
             .contains("D = [400, 0]")
     );
-    // Where something else is looked at, the same hand turns the crank.
+    // In any other view, the same drag turns the crank.
     let mut bench = bench_on("four-bar", "M", Size::new(120, 40));
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
     point(&mut bench, MouseDeed::Press, from);
@@ -286,9 +287,9 @@ fn pins_are_drawn_where_panes_stand_too() {
     assert!(!bench.app().is_changed());
 }
 
-/// Until the hand lets go the verdict tells what the whole drag has changed.
+/// Until the release, the verdict compares with the start of the drag.
 #[test]
-fn a_drag_tells_what_it_has_changed_since_its_beginning() {
+fn verdict_during_drag_compares_with_its_start() {
     let mut bench = bench("four-bar", "M 6");
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
     point(&mut bench, MouseDeed::Press, from);
@@ -301,7 +302,7 @@ fn a_drag_tells_what_it_has_changed_since_its_beginning() {
 }
 
 #[test]
-fn what_is_led_by_hand_does_not_play_on() {
+fn dragging_stops_playback() {
     let mut bench = bench("four-bar", "M 3 space");
     let y = row(&mut bench, "360");
     point(&mut bench, MouseDeed::Press, Position::new(40, y - 3));
@@ -309,7 +310,7 @@ fn what_is_led_by_hand_does_not_play_on() {
 }
 
 #[test]
-fn the_wheel_goes_through_lists_whatever_the_arrows_are_bound_to() {
+fn wheel_scrolls_lists_if_arrows_are_rebound() {
     let text = "[keys]\nup = \"k\"\nscroll = \"j\"\nfaster = \"Up\"\nslower = \"Down\"\n";
     let config = Config::parse(text, "config.toml").unwrap();
     let mut bench = bench("four-bar", "").configured(&config);
@@ -320,9 +321,9 @@ fn the_wheel_goes_through_lists_whatever_the_arrows_are_bound_to() {
     assert_ne!(bench.app().cursor().row, 0);
 }
 
-/// A hand that holds a pin while another scene is opened holds nothing.
+/// A drag ends when another scene is opened.
 #[test]
-fn another_scene_is_not_held_by_the_pin_of_the_one_before() {
+fn opening_another_scene_ends_pin_drag() {
     let mut bench = bench("jansen-leg", "M 6");
     let ground = bench.app().open_scene().scene();
     let ids = ground.mechanism.point_ids();
@@ -337,10 +338,10 @@ fn another_scene_is_not_held_by_the_pin_of_the_one_before() {
     assert!(!bench.app().is_changed());
 }
 
-/// What is under the pointer stays there while the wheel turns, also in a window that goes along and after it was
-/// moved; and what was enlarged stays where it is while the crank turns.
+/// Zooming keeps the position under the pointer, also in a following viewport and after panning.
+/// The zoomed viewport then stays fixed while the crank turns.
 #[test]
-fn what_is_enlarged_stays_where_it_is() {
+fn zoomed_view_keeps_place_under_pointer() {
     for (preset, size) in [
         ("drag-link", Size::new(120, 24)),
         ("hoecken", Size::new(80, 24)),
@@ -361,7 +362,7 @@ fn what_is_enlarged_stays_where_it_is() {
             bench.paint();
             assert_eq!(bench.place(at).unwrap(), before, "{preset}");
         }
-        // Fitted anew it goes along again.
+        // After fitting, the viewport follows again.
         bench.press("f");
         assert!(bench.app().viewport().lens.fits(), "{preset}");
     }

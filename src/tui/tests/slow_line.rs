@@ -1,4 +1,5 @@
-//! A line of 960 bytes a second, with a simulated clock: when something shows does not depend on the machine.
+//! Tests a line of 960 bytes per second with a simulated clock, so that the timing does not depend
+//! on the machine.
 
 use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
@@ -10,7 +11,7 @@ use ratatui::layout::Size;
 use std::num::NonZeroU16;
 use std::time::{Duration, Instant};
 
-/// Bytes a second of a line of 9,600 baud.
+/// The rate of a line of 9,600 baud, in bytes per second.
 const SLOW: u32 = 960;
 const SIZE: Size = Size::new(80, 24);
 const HALF_A_SECOND: Duration = Duration::from_millis(500);
@@ -38,7 +39,7 @@ fn last_row(rows: &[String]) -> &str {
     rows.last().map_or("", String::as_str)
 }
 
-/// The rows that a line shows that takes everything at once.
+/// Returns the rows that a line of unlimited speed shows.
 fn shown_at_once(at: Option<f64>, keys: &str) -> Vec<String> {
     let (mut workbench, mut terminal) = (workbench(at), emulator());
     assert!(workbench.press(keys));
@@ -46,16 +47,16 @@ fn shown_at_once(at: Option<f64>, keys: &str) -> Vec<String> {
     rows(&terminal)
 }
 
-/// A session on the line, and the screen at its other end.
+/// A session on a slow line, and the terminal at the other end.
 struct Slow {
     session: Session<SlowLine>,
     terminal: vt100::Parser,
-    /// Bytes that the screen has shown.
+    /// Number of bytes that the terminal has shown.
     shown: usize,
 }
 
 impl Slow {
-    /// Opens the four-bar and waits until all of it shows.
+    /// Opens the four-bar and waits until its first screen is complete.
     fn open(rate: u32) -> Slow {
         let line = SlowLine::new(rate, SIZE);
         let mut slow = Slow {
@@ -79,7 +80,8 @@ impl Slow {
         assert!(self.session.step().unwrap().is_none(), "it has ended");
     }
 
-    /// Shows the bytes that have arrived, eight at a time, until something holds; when that was.
+    /// Shows the bytes that have arrived, eight at a time, until `holds` returns `true`. Returns
+    /// the time at which it did.
     fn show_until(&mut self, holds: &dyn Fn(&[String]) -> bool) -> Option<Instant> {
         for piece in self.session.tty.arrived()[self.shown..].chunks(8) {
             for &(_, byte) in piece {
@@ -101,7 +103,7 @@ impl Slow {
         self.shown = self.session.tty.arrived().len();
     }
 
-    /// Waits until nothing is left to wait for.
+    /// Waits until the line is idle.
     fn settle(&mut self) {
         while !self.line().idle {
             self.step();
@@ -122,7 +124,7 @@ impl Slow {
         self.line().press_after(key, Duration::ZERO);
     }
 
-    /// How long it takes from a key until something shows.
+    /// Presses a key, and returns the time until `holds` returns `true`.
     fn until(&mut self, key: &'static str, holds: impl Fn(&[String]) -> bool) -> Duration {
         let pressed = self.now();
         self.press(key);
@@ -136,9 +138,9 @@ impl Slow {
     }
 }
 
-/// The last row is behind the frame on its way, and whole after a frame of its own.
+/// The last row follows the frame in flight, and is complete after one more frame.
 #[test]
-fn first_line_answers_a_key_within_half_a_second() {
+fn last_row_answers_key_within_half_a_second() {
     let mut slow = Slow::open(SLOW);
     let took = slow.until(".", |rows| last_row(rows).contains("65.00 deg"));
     assert!(took <= HALF_A_SECOND, "{took:?}");
@@ -165,7 +167,7 @@ fn whole_help_overlay_shows_within_two_seconds() {
     };
     let help: Vec<String> = shown_at_once(None, "?").iter().filter_map(inner).collect();
     assert!(help.len() > 10, "{help:?}");
-    // At any place of a frame on its way, and with the drawing anywhere.
+    // At several points of the frame in flight, with the drawing at several driver angles.
     for k in 0..12 {
         let mut slow = Slow::open(SLOW);
         slow.press("space");
@@ -184,7 +186,7 @@ fn whole_help_overlay_shows_within_two_seconds() {
 }
 
 #[test]
-fn no_more_than_half_a_second_is_queued() {
+fn queue_holds_at_most_half_a_second() {
     let most = SLOW as usize / 2;
     let mut slow = Slow::open(SLOW);
     assert!(
@@ -214,9 +216,9 @@ fn angle(rows: &[String]) -> Option<f64> {
     Some(within + 360.0 * turns)
 }
 
-/// Frames are dropped, the motion is not: it does a turn in 4 s, as on any line.
+/// Frames are dropped but the motion keeps its speed of a turn in 4 s, as on any line.
 #[test]
-fn motion_keeps_the_clock() {
+fn playback_keeps_pace_with_clock() {
     let mut slow = Slow::open(SLOW);
     slow.press("space");
     let begun = slow.now();
@@ -227,7 +229,7 @@ fn motion_keeps_the_clock() {
         last = angle(&rows).unwrap_or(last);
         let played = slow.now() - begun;
         let wanted = 60.0 + 90.0 * played.as_secs_f64();
-        // A second late at the most.
+        // At most a second late.
         assert!(
             last <= wanted && wanted - last <= 90.0,
             "{last} of {wanted} deg"
@@ -236,9 +238,9 @@ fn motion_keeps_the_clock() {
     assert!(last > 600.0, "{last}");
 }
 
-/// The terminal that answered so far answers no more.
+/// The terminal has answered so far, and then stops.
 #[test]
-fn a_lost_answer_does_not_stop_the_screen() {
+fn silent_terminal_still_gets_frames() {
     for rate in [SLOW, 1_000_000] {
         let mut slow = Slow::open(rate);
         slow.line().silent = true;
@@ -251,20 +253,20 @@ fn a_lost_answer_does_not_stop_the_screen() {
 }
 
 #[test]
-fn a_key_held_down_shows_all_rows_in_the_end() {
+fn screen_is_complete_after_key_repeat() {
     let mut slow = Slow::open(SLOW);
     for k in 0..40 {
         slow.line().press_after(".", Duration::from_millis(30 * k));
     }
     slow.settle();
-    // Names stay where they are as long as they can: the other line shows every step.
+    // Labels keep their places as long as possible, so the fast line must show every step, too.
     let mut fast = Slow::open(1_000_000);
     for _ in 0..40 {
         fast.press(".");
         fast.settle();
     }
     let (slow, fast) = (rows(&slow.terminal), rows(&fast.terminal));
-    // The footer tells how long a state took.
+    // The footer is excluded because it shows the measured computing time.
     let above = SIZE.height as usize - 1;
     assert!(last_row(&slow).contains(" 260.00 deg "), "{slow:?}");
     assert_eq!(slow[..above], fast[..above]);

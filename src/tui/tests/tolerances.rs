@@ -1,4 +1,4 @@
-//! What the workbench tells of tolerances: the band beside a curve, and the page of a figure.
+//! Tests the display of tolerances: the band around a curve, and the page of a value.
 
 use crate::capability::Colours;
 use crate::drawing::Glyphs;
@@ -6,7 +6,7 @@ use crate::scene::presets;
 use crate::tui::document::opening;
 use crate::tui::{Origin, Workbench};
 
-/// A four-bar whose lengths may be off by 0.5 mm, on a screen with room for names.
+/// Opens a four-bar with length tolerances of 0.5 mm, on a screen with room for names.
 fn workbench() -> Workbench {
     let preset = presets::find("four-bar").unwrap();
     let text = format!("tolerance = 0.5\n{}", preset.text);
@@ -15,7 +15,7 @@ fn workbench() -> Workbench {
 }
 
 #[test]
-fn enter_tells_all_that_tolerances_do_to_a_figure() {
+fn enter_opens_tolerance_page_of_a_value() {
     let mut workbench = workbench();
     workbench.press("9");
     let all = workbench.text();
@@ -43,7 +43,7 @@ fn enter_tells_all_that_tolerances_do_to_a_figure() {
 }
 
 #[test]
-fn the_band_is_told_at_the_cursor_and_has_a_key() {
+fn tolerance_band_is_listed_at_cursor_and_toggled_by_key() {
     let preset = presets::find("four-bar").unwrap();
     let loose = preset
         .text
@@ -60,7 +60,7 @@ fn the_band_is_told_at_the_cursor_and_has_a_key() {
     assert!(!without.contains("worst -"), "{without}");
     workbench.press("b");
     assert!(workbench.text().contains("r4.omega worst -"));
-    // Loose pins have the first order, which goes as far to both sides.
+    // Clearance in pins is treated to first order, which is symmetric.
     let loose = format!("clearance = 0.5\n{}", preset.text);
     let opened = opening::text(&loose, Origin::New("four-bar".into())).unwrap();
     let mut workbench = Workbench::new(opened, Glyphs::Ascii, Colours::None, 120, 40);

@@ -308,7 +308,7 @@ mod tests {
     }
 
     #[test]
-    fn what_stands_beside_the_drawing_outlives_a_small_screen() {
+    fn panes_return_after_small_screen() {
         let (small, large) = (Size::new(40, 12), Size::new(120, 40));
         let mut composition = Composition::default();
         composition.look(View::Working, View::Motion, large);
@@ -320,7 +320,7 @@ mod tests {
     }
 
     #[test]
-    fn names_bring_what_they_say() {
+    fn layouts_show_their_panes() {
         use View::{Forces, Motion, Plots, Scene, Tables, Working};
         let standing = |layout, size, view| Composition::of(layout).standing(view, size);
         let (small, middle, large) = (Size::new(80, 24), Size::new(120, 40), Size::new(200, 60));
@@ -337,7 +337,7 @@ mod tests {
         assert_eq!(design, [Motion, Scene, Plots]);
         assert_eq!(standing(LayoutName::Two, small, Forces), [Motion, Forces]);
         assert_eq!(standing(LayoutName::One, large, Forces), [Forces]);
-        // What is looked at stands, whatever the layout.
+        // The focused view is visible in every layout.
         for (layout, size) in all() {
             for view in View::ALL {
                 assert!(standing(layout, size, view).contains(&view));
@@ -346,7 +346,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_asked_for_stays_while_another_pane_is_looked_at() {
+    fn chosen_pane_stays_while_focus_moves() {
         let size = Size::new(120, 40);
         let mut composition = Composition::default();
         composition.look(View::Forces, View::Motion, size);
@@ -363,7 +363,7 @@ mod tests {
     }
 
     #[test]
-    fn panes_fill_the_body_and_none_covers_another() {
+    fn panes_fill_body_without_overlap() {
         for (layout, size) in all() {
             for split in [-8, 0, 8] {
                 let mut composition = Composition::of(layout);
@@ -393,9 +393,9 @@ mod tests {
         }
     }
 
-    /// Half of the screen beside one pane, two fifths where three stand.
+    /// Half of the screen next to one pane, two fifths with more panes.
     #[test]
-    fn the_drawing_has_its_share() {
+    fn drawing_has_its_share_of_screen() {
         for (layout, size) in all() {
             let placed = Composition::of(layout).placed(View::Motion, size, body(size));
             let share = match placed.len() {
@@ -405,7 +405,7 @@ mod tests {
             };
             let pane = placed[0];
             let frame = pane.title.unwrap().union(pane.area);
-            // The line beside it is the drawing's too.
+            // The separator counts as part of the drawing.
             let cells = f64::from(frame.width + 1) * f64::from(frame.height);
             let screen = f64::from(size.width) * f64::from(size.height);
             assert!(
@@ -416,16 +416,16 @@ mod tests {
         }
     }
 
-    /// A taller screen used to show five rows of the tables where a lower one showed all.
+    /// Regression: a taller screen showed five rows of the tables although a lower one showed all.
     #[test]
-    fn more_rows_and_columns_never_take_a_pane_away_or_make_it_lower() {
+    fn taller_screens_never_remove_or_shrink_panes() {
         for layout in LayoutName::ALL {
             for width in 110..=240 {
                 let mut before: Vec<PlacedView> = Vec::new();
                 for height in 34..=90 {
                     let size = Size::new(width, height);
                     let placed = Composition::of(layout).placed(View::Motion, size, body(size));
-                    // A plot has what the drawing leaves it.
+                    // A plot gets the space that the drawing leaves.
                     for pane in before.iter().filter(|pane| pane.view != View::Plots) {
                         let now = placed.iter().find(|now| now.view == pane.view).unwrap();
                         assert!(now.area.height >= pane.area.height, "{layout:?} {size}");
@@ -437,7 +437,7 @@ mod tests {
     }
 
     #[test]
-    fn the_split_is_moved_and_kept_within_the_screen() {
+    fn split_moves_within_screen() {
         let size = Size::new(120, 40);
         let mut composition = Composition::default();
         let width = |composition: &Composition| {
@@ -455,7 +455,7 @@ mod tests {
     }
 
     #[test]
-    fn the_names_follow_each_other_in_a_ring() {
+    fn layouts_cycle() {
         let mut composition = Composition::default();
         let names = LayoutName::ALL.map(|_| composition.next_layout());
         assert_eq!(names[5], LayoutName::Auto);

@@ -102,7 +102,7 @@ mod tests {
     }
 
     #[test]
-    fn fewer_words_come_before_fewer_parts_and_changes_stay_to_the_last() {
+    fn verdict_shortens_words_before_dropping_parts() {
         let of = |range: &str, angle: &str| Verdict {
             parts: [
                 part(range, range),

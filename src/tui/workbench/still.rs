@@ -162,9 +162,9 @@ fn width_in(area: Rect, cell: Option<(u16, u16)>, aspect: f64) -> u32 {
 mod tests {
     use super::*;
 
-    /// A sixel picture that is too high would scroll the screen under it.
+    /// A sixel image that is too high would scroll the screen.
     #[test]
-    fn a_picture_is_no_wider_and_no_higher_than_its_cells() {
+    fn image_fits_its_cells() {
         let area = Rect::new(3, 2, 60, 20);
         for (cell, aspect) in [
             (Some((10, 20)), 2.0),
@@ -179,7 +179,7 @@ mod tests {
             let down = across * f64::from(area.height) * aspect / f64::from(area.width);
             assert!(across <= f64::from(area.width * width), "{cell:?}");
             assert!(down <= f64::from(area.height * height) + 1e-9, "{cell:?}");
-            // And as large as it may be, but for half a pixel a side.
+            // The image is as large as possible, within half a pixel per side.
             let fills = across + 1.0 > f64::from(area.width * width)
                 || down + 2.0 * aspect > f64::from(area.height * height);
             assert!(fills, "{cell:?} {across} {down}");

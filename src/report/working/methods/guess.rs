@@ -295,7 +295,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_guess_is_a_name_and_a_value_or_an_interval() {
+    fn guess_is_a_name_with_value_or_interval() {
         let of = |text: &str| text.parse::<Guess>();
         let guess = of("r3=20").unwrap();
         assert_eq!(

@@ -81,7 +81,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_figure_has_the_decimals_that_can_be_read() {
+    fn read_off_value_has_only_readable_decimals() {
         assert_eq!(read_off(29.379_46, 0.38), ["29.4", "0.4"]);
         assert_eq!(read_off(412.6, 2.1), ["413", "2"]);
         assert_eq!(read_off(0.123_456, 0.004), ["0.123", "0.004"]);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn scales_are_told_as_on_drawings() {
+    fn scales_are_written_as_on_drawings() {
         let sheet = |reduced| DrawingSheet {
             reduced,
             unit: 10.0,

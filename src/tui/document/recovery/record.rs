@@ -232,7 +232,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_those_of_the_calendar() {
+    fn timestamps_follow_calendar() {
         for (seconds, text) in [
             (0, "1970-01-01 00:00 UTC"),
             (951_782_399, "2000-02-28 23:59 UTC"),
@@ -245,7 +245,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_is_read_back() {
+    fn records_round_trip() {
         let edits = |text: &str, waiting: &[(&str, &str)]| {
             let mut edits = KeptEdits::of(text);
             for (name, text) in waiting {

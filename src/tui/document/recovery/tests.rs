@@ -1,4 +1,4 @@
-//! Sessions that start and end, in a folder of their own.
+//! Tests recovery with sessions that start and end, each in its own folder.
 
 use super::*;
 use std::time::{Duration, UNIX_EPOCH};
@@ -23,7 +23,7 @@ fn session(folder: &Path, begun: u64, origin: &Origin) -> Recovery {
 }
 
 #[test]
-fn edits_are_found_by_the_same_scene_alone() {
+fn edits_are_offered_only_to_their_scene() {
     let folder = folder("recovery");
     let mut one = session(&folder.join("deep/er"), 1, &four_bar());
     let folder = folder.join("deep/er");
@@ -53,7 +53,7 @@ fn edits_are_found_by_the_same_scene_alone() {
 }
 
 #[test]
-fn a_file_is_the_same_by_any_name() {
+fn edits_are_found_by_any_path_of_a_file() {
     let folder = folder("recovery-names");
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join("scene.toml");
@@ -77,7 +77,7 @@ fn a_file_is_the_same_by_any_name() {
         assert_eq!(left.len(), 1, "{name:?}");
         assert!(left[0].is_older, "the file was written long after 1970");
     }
-    // As other editors save: another file in its place.
+    // Other editors save by replacing the file.
     fs::write(folder.join("new"), "old").unwrap();
     fs::rename(folder.join("new"), &file).unwrap();
     assert_eq!(session(&folder, 9, &of(file)).others("old").left.len(), 1);
@@ -88,7 +88,7 @@ fn a_file_is_the_same_by_any_name() {
 }
 
 #[test]
-fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
+fn crashed_sessions_are_kept_until_dropped_or_saved() {
     let folder = folder("recovery-three");
     for n in 1..=3 {
         session(&folder, n, &four_bar()).keep(
@@ -105,17 +105,17 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
             .collect()
     };
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
-    // Taken up and taken back, it is still there; saved, it is not.
+    // Restored and undone edits stay; saved ones are removed.
     let newest = next.others("old").left.remove(0);
     next.keep(KeptEdits::of(&newest.edits.text), "old", at(999));
     next.take(newest.file, newest.edits.text);
     next.rest();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
-    // Something else that is edited and saved takes nothing of it away.
+    // Editing and saving another text removes none of them.
     next.keep(KeptEdits::of("another"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
-    // Made again, it goes with what is saved.
+    // Redone edits are removed with the save.
     next.keep(KeptEdits::of("edit 3"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 2", "edit 1"], "others' edits stay");
@@ -124,9 +124,9 @@ fn three_crashes_keep_three_generations_until_each_is_dropped_or_saved() {
     fs::remove_dir_all(folder).unwrap();
 }
 
-/// Edits that are made while the file is being written are kept at every moment of it.
+/// Edits made during a save are kept at every moment.
 #[test]
-fn what_is_edited_while_it_is_saved_stays_and_what_was_taken_up_goes() {
+fn edits_during_save_are_kept_and_restored_ones_dropped() {
     let folder = folder("recovery-meanwhile");
     session(&folder, 1, &four_bar()).keep(KeptEdits::of("left"), "old", at(60));
     let mut next = session(&folder, 9, &four_bar());
@@ -143,7 +143,7 @@ fn what_is_edited_while_it_is_saved_stays_and_what_was_taken_up_goes() {
 }
 
 #[test]
-fn who_has_a_file_open_is_seen_and_leaves_nothing() {
+fn open_sessions_are_listed_and_leave_no_record() {
     let folder = folder("recovery-open");
     fs::create_dir_all(&folder).unwrap();
     let file = folder.join("scene.toml");
@@ -161,7 +161,7 @@ fn who_has_a_file_open_is_seen_and_leaves_nothing() {
 }
 
 #[test]
-fn a_folder_that_cannot_be_written_is_said_once() {
+fn unwritable_folder_is_reported_once() {
     let folder = folder("recovery-none");
     fs::write(&folder, "a file").unwrap();
     let mut recovery = session(&folder, 1, &Origin::Stdin);
@@ -174,9 +174,9 @@ fn a_folder_that_cannot_be_written_is_said_once() {
     fs::remove_file(folder).unwrap();
 }
 
-/// Whoever looks while a session puts its next edits there sees one that is alive, and takes nothing away.
+/// A lookup while a session replaces its record sees a live session, and removes nothing.
 #[test]
-fn looking_while_edits_are_kept_takes_none_away() {
+fn concurrent_lookup_removes_no_edits() {
     let folder = folder("recovery-busy");
     let scene = folder.join("scene.toml");
     fs::create_dir_all(&folder).unwrap();

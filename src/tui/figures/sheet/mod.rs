@@ -312,7 +312,7 @@ mod tests {
     }
 
     #[test]
-    fn every_figure_is_shown_once_and_fits() {
+    fn sheet_shows_each_value_once_within_width() {
         for tables in tables() {
             let sheet = Sheet::new(std::slice::from_ref(&tables));
             for glyphs in [Glyphs::Ascii, Glyphs::Braille] {
@@ -326,14 +326,14 @@ mod tests {
                     let shown: usize = rows.map(figures).sum();
                     let (vectors, points) = (tables.vectors.len(), tables.points.len());
                     let fixed = tables.points.iter().filter(|p| p.fixed).count();
-                    // What never moves may be left out where there are rates alone.
+                    // Fixed points may be omitted from blocks that contain only rates.
                     let all = 6 * vectors + 10 * points;
                     assert!((all - 8 * fixed..=all).contains(&shown), "{}", tables.scene);
                     for line in &lines {
                         let line = placed.show(line, &tables);
                         let mut end = 0;
                         for span in &line.spans {
-                            // A blank stands before every figure.
+                            // Every value follows a blank.
                             let begin = span.at + usize::from(end == 0);
                             assert!(begin > end, "{}: {}", tables.scene, span.text);
                             end = span.at + span.text.chars().count();

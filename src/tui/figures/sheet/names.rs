@@ -45,7 +45,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_are_cut_so_that_they_still_differ() {
+    fn shortened_names_stay_distinct() {
         let short = short_names(&[
             "r2",
             "upper_rod",
@@ -65,7 +65,8 @@ mod tests {
             "~rod_of_~",
         ];
         assert_eq!(short, expected);
-        // Nothing tells a name from a longer one that begins with it; the longer one is told apart.
+        // A name that is a prefix of another cannot be distinguished by its own letters; the longer
+        // one is.
         let nested = short_names(&["crank_pin_upper", "crank_pin_upper_2"]);
         assert_eq!(nested, ["~in_upper", "~_upper_2"]);
     }

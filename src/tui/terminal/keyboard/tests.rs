@@ -1,4 +1,4 @@
-//! Keys, pastes, answers and noise, in pieces of any length.
+//! Tests the decoder with keys, pastes, answers and random bytes, in chunks of any length.
 
 use super::*;
 use proptest::prelude::*;
@@ -25,7 +25,7 @@ fn key(key: Key) -> Vec<TerminalInput> {
 }
 
 #[test]
-fn the_mouse_is_told_by_its_first_button_and_its_wheel() {
+fn mouse_reports_decode_to_first_button_and_wheel() {
     let told = |bytes: &[u8]| match keys_of(&[bytes])[..] {
         [TerminalInput::Mouse(mouse)] => Some((mouse.deed, mouse.at.x, mouse.at.y)),
         [] => None,
@@ -37,7 +37,8 @@ fn the_mouse_is_told_by_its_first_button_and_its_wheel() {
     assert_eq!(told(b"\x1b[<0;300;200m"), Some((D::Release, 299, 199)));
     assert_eq!(told(b"\x1b[<64;5;6M"), Some((D::WheelUp, 4, 5)));
     assert_eq!(told(b"\x1b[<65;5;6M"), Some((D::WheelDown, 4, 5)));
-    // Other buttons, moving without one, and what no mouse says are nothing, and no keys either.
+    // Other buttons, motion without a button and malformed reports produce no keys, and no mouse
+    // events except after a superfluous separator.
     for bytes in [
         "<2;5;6M",
         "<35;5;6M",
@@ -50,14 +51,14 @@ fn the_mouse_is_told_by_its_first_button_and_its_wheel() {
         let told = told(format!("\x1b[{bytes}").as_bytes());
         assert!(told.is_none() || bytes == "<0;1;1;M", "{bytes}: {told:?}");
     }
-    // In two pieces.
+    // In two chunks.
     let pieces = keys_of(&[b"\x1b[<0;1", b"2;3Mq"]);
     assert_eq!(pieces.len(), 2, "{pieces:?}");
     assert_eq!(pieces[1], TerminalInput::Key(Key::Char('q')));
 }
 
 #[test]
-fn keys_are_told_apart() {
+fn key_sequences_decode_to_keys() {
     for (bytes, expected) in [
         (&b" "[..], Key::Char(' ')),
         (b"\x1b[A", Key::Up),
@@ -90,7 +91,7 @@ fn keys_are_told_apart() {
         ("\u{1f600}".as_bytes(), Key::Char('\u{1f600}')),
     ] {
         assert_eq!(key_of(bytes), key(expected), "{bytes:?}");
-        // In any pieces.
+        // In any two chunks.
         for cut in 1..bytes.len() {
             let (front, back) = bytes.split_at(cut);
             assert_eq!(keys_of(&[front, back]), key(expected), "{bytes:?} at {cut}");
@@ -114,7 +115,7 @@ fn keys_are_told_apart() {
 }
 
 #[test]
-fn answers_are_told_from_keys_and_found_in_pastes() {
+fn answers_are_recognized_between_keys_and_in_pastes() {
     assert_eq!(
         key_of(b"a\x1b[0nb"),
         vec![
@@ -127,13 +128,14 @@ fn answers_are_told_from_keys_and_found_in_pastes() {
         key_of(b"\x1b[200~a\x1b[0nb\x1b[201~"),
         vec![TerminalInput::Answer, TerminalInput::Paste("ab".into())]
     );
-    // As a terminal of eight bits has it.
+    // The 8-bit form of the answer.
     assert_eq!(key_of(b"\x9b0n"), vec![TerminalInput::Answer]);
 }
 
-/// These used to swallow the ESC of the answer behind them, and stopped the screen for 4 s.
+/// Regression: these sequences swallowed the ESC of the following answer, which stopped the screen
+/// for 4 s.
 #[test]
-fn an_answer_is_heard_behind_whatever_was_unfinished() {
+fn answer_is_recognized_after_unfinished_sequence() {
     let unfinished: [&[u8]; 12] = [
         b"\xe9",
         b"\xf0\x9f",
@@ -158,16 +160,16 @@ fn an_answer_is_heard_behind_whatever_was_unfinished() {
 }
 
 #[test]
-fn a_letter_of_another_encoding_takes_no_key_with_it() {
+fn invalid_utf8_does_not_swallow_next_key() {
     assert_eq!(key_of(b"\xe9q"), key(Key::Char('q')));
     assert_eq!(key_of(b"\xe9\xe9\r"), key(Key::Enter));
     assert_eq!(key_of(b"\x80\xff\xc0q"), key(Key::Char('q')));
     assert_eq!(key_of(b"\xed\xa0\x80q"), key(Key::Char('q')), "a surrogate");
 }
 
-/// A reply of more than 256 bytes used to be typed as keys, and its `q` left the program.
+/// Regression: replies of more than 256 bytes were read as keys, and their `q` quit the program.
 #[test]
-fn strings_of_any_length_are_no_keys() {
+fn control_strings_of_any_length_produce_no_keys() {
     for length in [0, 1, 255, 256, 257, 1 << 20] {
         let text = "q".repeat(length);
         for (begins, ends) in [
@@ -188,7 +190,7 @@ fn strings_of_any_length_are_no_keys() {
 }
 
 #[test]
-fn a_lone_escape_is_a_key_once_nothing_follows() {
+fn lone_escape_becomes_key_after_timeout() {
     let mut keyboard = Keyboard::default();
     let mut inputs = Vec::new();
     let now = Instant::now();
@@ -201,7 +203,7 @@ fn a_lone_escape_is_a_key_once_nothing_follows() {
 }
 
 #[test]
-fn a_paste_is_never_keys_however_long() {
+fn pastes_of_any_length_produce_no_keys() {
     let pasted = b"\x1b[200~q\x03\r\x1b[A\x1b]\x1b[201~";
     let text = "q\x03\r\x1b[A\x1b]".to_owned();
     assert_eq!(key_of(pasted), vec![TerminalInput::Paste(text.clone())]);
@@ -216,9 +218,9 @@ fn a_paste_is_never_keys_however_long() {
     );
 }
 
-/// Ctrl-C that a person presses, and any within a paste that does not end.
+/// Covers a Ctrl-C pressed by the user, and any Ctrl-C within a paste that does not end.
 #[test]
-fn a_paste_without_an_end_is_left_by_ctrl_c() {
+fn ctrl_c_ends_unterminated_paste() {
     let leave = key(Key::Ctrl('c'));
     let begun = Instant::now();
     let mut inputs = Vec::new();
@@ -226,7 +228,7 @@ fn a_paste_without_an_end_is_left_by_ctrl_c() {
     keyboard.feed(b"\x1b[200~text", begun, &mut inputs);
     keyboard.feed(b"\x03", begun + PRESSED, &mut inputs);
     assert_eq!(inputs, leave);
-    // One that goes on and on.
+    // A paste that continues endlessly.
     inputs.clear();
     keyboard.feed(b"\x1b[200~", begun, &mut inputs);
     let mut now = begun;
@@ -242,9 +244,10 @@ fn a_paste_without_an_end_is_left_by_ctrl_c() {
     assert_eq!(key_of(&endless), leave);
 }
 
-/// A stall of the network within a paste: its rest is none of the keys, which come again once a person types.
+/// After a network stall within a paste, the rest of it produces no keys. Keys work again once the
+/// user types.
 #[test]
-fn the_rest_of_a_paste_that_stalls_is_no_keys() {
+fn rest_of_stalled_paste_produces_no_keys() {
     let mut keyboard = Keyboard::default();
     let mut inputs = Vec::new();
     let now = Instant::now();
@@ -258,7 +261,7 @@ fn the_rest_of_a_paste_that_stalls_is_no_keys() {
     keyboard.feed(b" R\x1b[201~x", later + PRESSED, &mut inputs);
     let rest = TerminalInput::Paste(" w q w q w q R".into());
     assert_eq!(inputs, [rest, TerminalInput::Key(Key::Char('x'))]);
-    // One without an end makes nobody deaf.
+    // An unterminated paste does not block later keys.
     inputs.clear();
     keyboard.feed(b"\x1b[200~two", later, &mut inputs);
     keyboard.give_up(&mut inputs);
@@ -268,9 +271,9 @@ fn the_rest_of_a_paste_that_stalls_is_no_keys() {
     assert_eq!(inputs[1..], keys);
 }
 
-/// Keys used to vanish in a paste without an end for as long as one came every second.
+/// Regression: keys vanished in an unterminated paste for as long as one arrived every second.
 #[test]
-fn keys_are_heard_in_a_paste_without_an_end() {
+fn keys_work_in_unterminated_paste() {
     for pause in [HEELS, PASTE_PATIENCE / 3] {
         let mut keyboard = Keyboard::default();
         let mut inputs = Vec::new();
@@ -290,9 +293,9 @@ fn keys_are_heard_in_a_paste_without_an_end() {
     }
 }
 
-/// A key that is held down has no pause before the next one that would make a person wait.
+/// A repeating key is not delayed by the pause before the next one.
 #[test]
-fn next_key_settles_one_that_came_alone() {
+fn next_key_confirms_pending_key() {
     let mut keyboard = Keyboard::default();
     let mut inputs = Vec::new();
     let mut now = Instant::now();
@@ -305,9 +308,9 @@ fn next_key_settles_one_that_came_alone() {
     assert_eq!(inputs, [dot.clone(), dot.clone(), dot]);
 }
 
-/// A paste over a slow line may come byte by byte, and stall anywhere.
+/// A paste over a slow line may arrive byte by byte, and stall anywhere.
 #[test]
-fn paste_that_stalls_before_any_byte_stays_one() {
+fn paste_stalled_at_any_byte_stays_one_paste() {
     let pasted = b"\x1b[200~qw\r\x1b[Aq\x1b[201~";
     for stall in 6..pasted.len() {
         let mut keyboard = Keyboard::default();
@@ -326,9 +329,9 @@ fn paste_that_stalls_before_any_byte_stays_one() {
     }
 }
 
-/// Answers of the terminal come at any time, also just before and behind a key.
+/// Answers of the terminal arrive at any time, including just before and after a key.
 #[test]
-fn answers_do_not_hide_keys_in_a_paste_without_an_end() {
+fn answers_do_not_hide_keys_in_unterminated_paste() {
     let mut keyboard = Keyboard::default();
     let mut inputs = Vec::new();
     let now = Instant::now();
@@ -342,9 +345,9 @@ fn answers_do_not_hide_keys_in_a_paste_without_an_end() {
 }
 
 proptest! {
-    /// Whatever comes, in whatever pieces, Ctrl-C is heard afterwards and memory stays bounded.
+    /// For any input in any chunks, a following Ctrl-C is recognized and memory stays bounded.
     #[test]
-    fn noise_neither_panics_nor_deafens(
+    fn random_bytes_never_block_ctrl_c(
         pieces in prop::collection::vec(noise(), 0..12),
     ) {
         let mut keyboard = Keyboard::default();
@@ -356,16 +359,16 @@ proptest! {
         }
         let is_pasting = keyboard.state == Unfinished::Paste;
         inputs.clear();
-        // Within a paste, after a moment; everywhere else at once.
+        // Within a paste after a moment, in any other state at once.
         let later = if is_pasting { now + PRESSED } else { now };
         keyboard.feed(b"\x03", later, &mut inputs);
         prop_assert_eq!(inputs, key(Key::Ctrl('c')));
         prop_assert_eq!(keyboard.deadline(), None);
     }
 
-    /// What is understood does not depend on the pieces.
+    /// The decoded input does not depend on the chunks.
     #[test]
-    fn pieces_do_not_matter(bytes in noise(), cut in 0_usize..60) {
+    fn decoding_does_not_depend_on_chunks(bytes in noise(), cut in 0_usize..60) {
         let (front, back) = bytes.split_at(cut.min(bytes.len()));
         prop_assert_eq!(keys_of(&[front, back]), key_of(&bytes));
     }

@@ -1,8 +1,8 @@
-//! Free ends of links, led by the hand.
+//! Tests dragging the free ends of links.
 
 use super::*;
 
-/// Drags a point by the hand from where it stands.
+/// Drags the point at `from` by each of the given displacements in turn.
 fn drag(bench: &mut Workbench, from: Vec2, by: &[Vec2]) {
     let (at, _) = cell(bench, from);
     point(bench, MouseDeed::Press, at);
@@ -13,7 +13,7 @@ fn drag(bench: &mut Workbench, from: Vec2, by: &[Vec2]) {
     point(bench, MouseDeed::Release, at);
 }
 
-/// Where a point stands.
+/// Returns a point's position.
 fn place_of(bench: &mut Workbench, name: &str) -> Vec2 {
     let open_scene = bench.app().open_scene();
     let scene = open_scene.scene();
@@ -22,10 +22,11 @@ fn place_of(bench: &mut Workbench, name: &str) -> Vec2 {
     open_scene.state().position(id).unwrap()
 }
 
-/// The yoke stands upright with its link, the coupler of Hoecken's linkage stands turned, and that of the excavator is
-/// given by its points alone: what is typed is in the link's frame, and the point goes to where the hand is.
+/// The yoke's link is upright, the coupler of Hoecken's linkage is rotated, and the excavator's
+/// coupler is given by its points alone. The edited values are in the link's frame, and the point
+/// moves to the pointer.
 #[test]
-fn a_free_end_goes_where_it_is_led_whichever_way_its_link_is_turned() {
+fn free_end_follows_pointer_at_any_link_angle() {
     for (preset, name, size) in [
         ("double-rocker", "P", 10.0),
         ("press-ram", "tool", 10.0),
@@ -34,7 +35,7 @@ fn a_free_end_goes_where_it_is_led_whichever_way_its_link_is_turned() {
         ("jansen-leg", "T", 2.0),
     ] {
         let opened = opening::preset(presets::find(preset).unwrap()).unwrap();
-        // Without colours as with them.
+        // Dragging does not depend on colours.
         let mut bench = bench_of(opened, "M 6", Size::new(WIDEST, HIGHEST), Colours::None);
         let text = bench.app().open_scene().scene().text().to_owned();
         let from = place_of(&mut bench, name);
@@ -46,7 +47,7 @@ fn a_free_end_goes_where_it_is_led_whichever_way_its_link_is_turned() {
         let off = (place_of(&mut bench, name) - led).norm();
         assert!(off < 0.5 * high, "{preset}: {off} of {high}");
         assert_eq!(bench.app().open_scene().at(), at, "{preset}");
-        // Only numbers of this point are others.
+        // Only the line of this point changes.
         let after = bench.app().open_scene().scene().text().to_owned();
         let changed = text.lines().zip(after.lines()).filter(|(a, b)| a != b);
         assert_eq!(changed.count(), 1, "{preset}: {after}");
@@ -55,9 +56,9 @@ fn a_free_end_goes_where_it_is_led_whichever_way_its_link_is_turned() {
     }
 }
 
-/// P of Hoecken's linkage is where the coupler's own x axis goes on: along it nothing else is changed.
+/// P of Hoecken's linkage is on the coupler's own x axis: a drag along it changes nothing else.
 #[test]
-fn what_is_typed_is_counted_along_the_links_own_axes() {
+fn drag_edits_coordinates_in_link_frame() {
     let mut bench = bench_on("hoecken", "M 6", Size::new(WIDEST, HIGHEST));
     let (from, other) = (place_of(&mut bench, "P"), place_of(&mut bench, "C"));
     let along = (from - other) / (from - other).norm();
@@ -67,14 +68,14 @@ fn what_is_typed_is_counted_along_the_links_own_axes() {
     let value = |name: &str| editor.named(name).unwrap().number;
     assert!((value("r3 P x") - 160.0).abs() < 3.0, "{}", value("r3 P x"));
     assert!(value("r3 P y").abs() < 3.0, "{}", value("r3 P y"));
-    // Numbers as round as the keys make them.
+    // The values are as round as those of the keys.
     assert_eq!(value("r3 P x") % 2.0, 0.0);
     assert_eq!(value("r3 length"), 100.0);
 }
 
-/// Each drag is an edit of its own, also of the point on which the cursor stood before.
+/// Each drag is a separate edit, even of the point with the cursor.
 #[test]
-fn the_same_end_is_led_twice_and_taken_back_twice() {
+fn each_drag_of_an_end_is_one_undo_step() {
     let mut bench = bench_on("hoecken", "M 6", Size::new(WIDEST, HIGHEST));
     let text = |bench: &mut Workbench| bench.app().open_scene().scene().text().to_owned();
     let mut texts = vec![text(&mut bench)];
@@ -93,9 +94,9 @@ fn the_same_end_is_led_twice_and_taken_back_twice() {
     }
 }
 
-/// The foot of Klann's leg is where its link ends: only how long that is can be typed.
+/// The foot of Klann's leg is the far end of its link, which only the link's length can move.
 #[test]
-fn the_end_that_a_link_runs_to_goes_by_its_length() {
+fn dragging_far_end_changes_only_link_length() {
     let mut bench = bench_on("klann-leg", "M 6", Size::new(WIDEST, HIGHEST));
     let before = bench.app().open_scene().scene().text().to_owned();
     let (from, hip) = (place_of(&mut bench, "foot"), place_of(&mut bench, "hip"));
@@ -105,7 +106,7 @@ fn the_end_that_a_link_runs_to_goes_by_its_length() {
     assert!((length - 143.2).abs() < 3.0, "{length}");
     let knee = bench.app().editor().named("leg knee x").unwrap().number;
     assert_eq!(knee, 86.6);
-    // Through the other end it cannot go, and says so.
+    // The end cannot pass the other end, and a message says so.
     let foot = place_of(&mut bench, "foot");
     drag(&mut bench, foot, &[along * -220.0]);
     let screen = bench.text();
@@ -114,9 +115,9 @@ fn the_end_that_a_link_runs_to_goes_by_its_length() {
     assert_eq!(bench.app().open_scene().scene().text(), before);
 }
 
-/// What was typed by length and angle goes by these, and stays where the hand is.
+/// A point given by length and angle keeps this form, and follows the pointer.
 #[test]
-fn an_end_by_length_and_angle_goes_by_these() {
+fn dragging_polar_point_changes_length_and_angle() {
     let text = presets::find("hoecken").unwrap().text;
     let seen = "P = { from = \"C\", length = 100, angle = 350 }";
     let text = text.replace("P = [200, 0]", seen);
@@ -134,16 +135,17 @@ fn an_end_by_length_and_angle_goes_by_these() {
     let editor = bench.app().editor();
     let value = |name: &str| editor.named(name).unwrap().number;
     assert!((value("r3 P length") - 100.0).abs() > 3.0);
-    // The angle is near what it was, and no turn less.
+    // The angle stays near the old one, without a jump of a full turn.
     let angle = value("r3 P angle");
     assert!((300.0..410.0).contains(&angle) && angle != 350.0, "{angle}");
     bench.press("u");
     assert_eq!(bench.app().open_scene().scene().text(), text);
 }
 
-/// Where a link begins is where its frame is, and everything on it would go along.
+/// The origin of a link's frame cannot be dragged, because every point of the link would move with
+/// it.
 #[test]
-fn the_end_that_a_link_begins_at_says_why_it_stays() {
+fn dragging_link_origin_is_rejected_with_reason() {
     let text = presets::find("slotted-lever").unwrap().text;
     let text = text.replace("from = \"O\", to = \"T\"", "from = \"T\", to = \"O\"");
     let opened = opening::text(&text, Origin::Stdin).unwrap();

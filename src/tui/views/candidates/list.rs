@@ -401,12 +401,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_way_is_played_to_and_fro() {
+    fn path_is_played_back_and_forth() {
         let mut way = WayPlayed {
             since: Some(Duration::ZERO),
             ..WayPlayed::default()
         };
-        // Two stretches take 1.6 s.
+        // Two sections take 1.6 s.
         for (milliseconds, place) in [
             (800, 1.0),
             (1200, 1.5),

@@ -269,9 +269,9 @@ fn next_curve(counts: &[usize], curve: usize, forward: bool) -> usize {
 mod tests {
     use super::*;
 
-    /// No step leaves the curves, and those that have no place are passed by.
+    /// No step leaves the curves, and empty curves are skipped.
     #[test]
-    fn steps_go_around_all_curves() {
+    fn steps_wrap_around_all_curves() {
         let counts = [3, 0, 40];
         let go = |from, by, forward| stepped(&counts, from, by, forward);
         assert_eq!(go((0, 2), 1, true), (2, 0));

@@ -47,7 +47,7 @@ mod tests {
     use crate::tui::commands::line::EditLine;
     use crate::wording::Language;
 
-    /// Every line where a passage with the words begins.
+    /// Returns every line at which a passage with the words begins.
     fn found(wanted: &str, text: &str, width: usize) -> Vec<usize> {
         let lines = lines(text, width).into_iter();
         let lines: Vec<_> = lines.flat_map(|line| folded(line, width)).collect();
@@ -56,9 +56,9 @@ mod tests {
             .collect()
     }
 
-    /// A search used to look at single lines: what was found depended on where they were broken.
+    /// Regression: the search matched single lines, so results depended on the line breaks.
     #[test]
-    fn words_are_found_across_the_lines_of_a_paragraph() {
+    fn search_matches_words_across_lines_of_paragraph() {
         let text = "one two three four five six seven eight\nnine ten one\n\neleven\n";
         assert_eq!(found("six seven", text, 30), [0]);
         assert_eq!(found("seven six", text, 30), [0]);
@@ -68,7 +68,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_of_code_is_found_where_it_is_folded() {
+    fn search_matches_folded_words_in_code() {
         let long = format!("```\n{}needle{}\n```\n", "a".repeat(27), "b".repeat(20));
         assert_eq!(found("needle", &long, 30), [0]);
         let blank = format!("```\n{} needle\n```\n", "a".repeat(27));
@@ -76,9 +76,10 @@ mod tests {
         assert!(found("aneedle", &blank, 30).is_empty());
     }
 
-    /// Typed with letters of Turkish or without, what is sought in its chapters is found: a line used to drop the first.
+    /// Words of Turkish topics are found with or without diacritics. Regression: the input line
+    /// dropped Turkish letters.
     #[test]
-    fn letters_of_turkish_are_found_by_those_that_they_look_like() {
+    fn search_folds_turkish_letters() {
         Language::Turkish.speak();
         let keymap = Keymap::default();
         for typed in ["ölü konum", "olu konum", "Ölü KONUM"] {
@@ -93,9 +94,9 @@ mod tests {
         assert!(next("pipe ends quietly", (1, 0), 80, &keymap).is_some());
     }
 
-    /// Whatever stands in a paragraph is found at every width, in the same topic.
+    /// Words within a paragraph are found at every width, in the same topic.
     #[test]
-    fn the_width_does_not_decide_what_is_found() {
+    fn search_result_does_not_depend_on_width() {
         let keymap = Keymap::default();
         for words in ["structure alone decides", "closed pipe ends quietly"] {
             let topic = |columns| next(words, (1, 0), columns, &keymap).map(|(page, _)| page);

@@ -84,7 +84,7 @@ mod tests {
     use crate::tui::commands::key::Key;
 
     #[test]
-    fn every_action_stands_in_one_group() {
+    fn every_action_is_in_one_group() {
         for first in View::ALL.map(Some).into_iter().chain([None]) {
             let all = groups(first).into_iter().flat_map(|(_, entries)| entries);
             let all: Vec<&str> = all.map(|entry| entry.name).collect();
@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn the_table_has_the_keys_of_the_keymap() {
+    fn key_table_follows_keymap() {
         let mut keymap = Keymap::default();
         keymap.set(action::Action::Reverse, vec![Key::Char('|')]);
         keymap.set(action::Action::Play, Vec::new());

@@ -255,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn the_keys_of_the_present_view_come_first() {
+    fn keys_of_current_view_come_first() {
         let lines = Help::default().lines(View::Scene, &Keymap::default());
         assert_eq!(lines[0], HelpLine::Title("In the scene view"));
         let lines = Help::default().lines(View::Working, &Keymap::default());
@@ -263,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn all_words_must_be_found_and_in_any_order() {
+    fn search_requires_all_words_in_any_order() {
         let keys = |lines: Vec<HelpLine>| -> Vec<String> {
             let keys = lines.into_iter().filter_map(|line| match line {
                 HelpLine::Keys(keys, _) => Some(keys),
@@ -277,9 +277,9 @@ mod tests {
         assert_eq!(searched("coffee"), []);
     }
 
-    /// A key changes the language while one reads.
+    /// A key can change the language while a topic is open.
     #[test]
-    fn a_topic_is_laid_out_again_in_another_language() {
+    fn language_change_lays_out_topic_again() {
         let (mut help, keymap) = (Help::default(), Keymap::default());
         help.turn(false);
         let mut first = |language: Language| {
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn an_action_without_a_key_is_not_listed() {
+    fn actions_without_keys_are_not_listed() {
         let mut keymap = Keymap::default();
         let before = Help::default().lines(View::Motion, &keymap).len();
         keymap.set(action::Action::Reverse, Vec::new());

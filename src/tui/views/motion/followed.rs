@@ -90,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn a_vector_stands_for_those_of_its_ends_that_move() {
+    fn vectors_stand_for_their_moving_ends() {
         let scene = preset("four-bar");
         let vectors: Vec<_> = (0..4)
             .map(|row| names(&scene, SheetPart::Vectors, row))
@@ -104,9 +104,9 @@ mod tests {
         assert_eq!(names(&slider, SheetPart::Vectors, at.unwrap()), ["C"]);
     }
 
-    /// The rows of the tables and what stands behind them are the same, in every preset.
+    /// In every preset, each row of the tables maps to the points that it shows.
     #[test]
-    fn every_row_knows_its_points() {
+    fn table_rows_map_to_their_points() {
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
             let solver = Solver::new(&scene.mechanism).unwrap();

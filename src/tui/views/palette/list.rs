@@ -174,9 +174,10 @@ mod tests {
         topics.map(|at| TOPICS[*at].name).collect()
     }
 
-    /// Words that no name and no help has lead to what does it, or to where the manual tells of it.
+    /// Terms that occur in no name and no help text find the command, or the topic of the manual
+    /// that explains it.
     #[test]
-    fn words_of_the_trade_lead_somewhere() {
+    fn technical_terms_find_commands_and_topics() {
         Language::English.speak();
         for (typed, command, topic) in [
             ("toler", "lengths", "tolerances"),
@@ -217,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn a_command_is_found_by_its_name_in_every_language() {
+    fn commands_are_found_by_name_in_every_language() {
         Language::Turkish.speak();
         for typed in ["language", "dil", "turkce"] {
             assert_eq!(found(typed)[0], "language", "{typed}");
@@ -228,13 +229,13 @@ mod tests {
     }
 
     #[test]
-    fn everything_is_listed_before_anything_is_typed() {
+    fn empty_query_lists_all_commands() {
         assert_eq!(found("").len(), action::entries().count() - 1);
         assert_eq!(found("")[0], "play");
     }
 
     #[test]
-    fn letters_in_their_order_are_enough_and_the_nearest_comes_first() {
+    fn subsequences_match_and_closest_command_is_first() {
         for (typed, name) in [
             ("zoom in", "zoom-in"),
             ("zi", "zoom-in"),
@@ -249,9 +250,10 @@ mod tests {
         assert!(found("qzx").is_empty() && topics("qzx").is_empty());
     }
 
-    /// Each command is found by its own name, and none stands before it but what is told by that very word.
+    /// Each command is the first result for its name. Only a command whose help text is that very
+    /// word may precede it.
     #[test]
-    fn every_command_is_first_by_its_name() {
+    fn command_names_find_their_command_first() {
         for row in rows() {
             let first = rows().find(|other| Some(&other.name) == found(row.name).first());
             let first = first.unwrap();

@@ -164,9 +164,10 @@ mod tests {
     use super::*;
     use crate::scene::presets;
 
-    /// A file that is written while the list is open takes nothing from it but what the scene no longer has.
+    /// Rewriting the file while the list is open removes only the columns that the scene no longer
+    /// has.
     #[test]
-    fn another_text_of_the_scene_leaves_the_list_and_its_cursor() {
+    fn reloaded_scene_keeps_list_and_cursor() {
         let text = presets::find("four-bar").unwrap().text;
         let scene = Scene::parse(text, "four-bar").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
@@ -183,9 +184,10 @@ mod tests {
         assert_eq!(list.current(), before.rows().next().map(|(name, _)| name));
     }
 
-    /// The crank of a four-bar keeps its speed: of its turning nothing is to be seen, unless it is plotted already.
+    /// The crank of a four-bar has constant speed, so its rates are not listed, unless they are
+    /// already plotted.
     #[test]
-    fn what_stays_over_the_motion_is_not_listed() {
+    fn constant_columns_are_not_listed() {
         let scene = Scene::parse(presets::find("four-bar").unwrap().text, "four-bar").unwrap();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let has = |list: &PlotList, name: &str| list.rows().any(|(other, _)| other == name);

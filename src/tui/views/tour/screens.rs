@@ -136,7 +136,7 @@ mod tests {
     use crate::tui::commands::key::Key;
 
     #[test]
-    fn every_screen_is_read_at_once_on_the_smallest_terminal() {
+    fn screens_fit_smallest_terminal_without_scrolling() {
         for number in 0..SCREENS {
             let screen = screen(number, &Keymap::default());
             let lines = wrapped(&screen.text, 36, false);
@@ -146,9 +146,9 @@ mod tests {
         }
     }
 
-    /// No view is left out that has figures or their working.
+    /// The tour names the key of every view.
     #[test]
-    fn the_tour_names_every_view() {
+    fn tour_names_every_view() {
         let told: Vec<String> = (0..SCREENS)
             .map(|number| screen(number, &Keymap::default()).text)
             .collect();
@@ -161,7 +161,7 @@ mod tests {
     }
 
     #[test]
-    fn the_keys_are_those_that_a_person_has() {
+    fn tour_shows_configured_keys() {
         let mut keymap = Keymap::default();
         keymap.set(Action::StepForward, vec![Key::Function(7)]);
         keymap.set(Action::GoTo, Vec::new());
@@ -171,12 +171,12 @@ mod tests {
     }
 
     #[test]
-    fn the_first_start_is_the_first_one_alone() {
+    fn first_start_is_detected_once() {
         let folder = std::env::temp_dir().join(format!("krank-first-{}", std::process::id()));
         let state = |name: &str| (name == "XDG_STATE_HOME").then(|| folder.clone());
         assert!(is_first_start(state));
         assert!(!is_first_start(state));
-        // Where nothing can be kept: no home, a file in the way.
+        // Nothing can be stored: no home directory, or a file in place of the folder.
         assert!(!is_first_start(|_| None));
         let file = folder.join("krank").join(MARK);
         assert!(!is_first_start(move |_| Some(file.clone())));
