@@ -1,35 +1,34 @@
 //! Planar linkages with one input: position, velocity and acceleration of every point and link.
 //!
-//! krank is a program and this library. The program is a workbench in the terminal and a set of
-//! commands; the library is the scene file, the solver and the reports, for other front ends.
-//! Without the feature `tui` the workbench is left out, and with it every crate that knows a
-//! terminal.
+//! krank is a program and this library. The program has a workbench in the terminal and commands.
+//! The library provides scene files, the solver and the reports, for other front ends.
+//! Without the feature `tui`, the workbench and all terminal crates are left out.
 //!
-//! # The way of the data
+//! # Data flow
 //!
 //! ```text
 //! scene file (TOML)
-//!   -> scene      text, units and names; a fault points at its line and column
-//!   -> mechanism  points, links, slides and the driver, by typed ids: no text, no I/O
-//!   -> solver     once: which groups, in which order, over which range
-//!                 then: the driver's coordinate -> a state, without a history and without allocating;
-//!                 where anything acts, the forces in it
-//!   -> quantity   everything that has a name, a unit and a value
-//!   -> study      every method that could solve it, timed and held against a reference; the motor
-//!                 over a cycle
-//!   -> synthesis  from a motion that is wanted to linkages; a task is a file, too
+//!   -> scene      text, units and names; every fault has a line and column
+//!   -> mechanism  points, links, slides and the driver, with typed ids: no text, no I/O
+//!   -> solver     once: the groups, their order and the range of motion
+//!                 then: the driver's coordinate -> a state, without history or allocation;
+//!                 with loads, also the forces
+//!   -> quantity   everything with a name, a unit and a value
+//!   -> study      all solution methods, timed and compared with a reference; the motor over a
+//!                 cycle
+//!   -> synthesis  from a required motion to linkages; a task is a file, too
 //!   -> report     pages, CSV, JSON       -> drawing, tui   the linkage in characters, live tables
 //! ```
 //!
-//! How each room of the solver finds what it does, with the derivations, stands in the [`guide`].
+//! The [`guide`] explains each part of the solver, with derivations.
 //!
-//! Nobody imports against this way: [`solver`] knows no file, no unit name and no terminal. What the
-//! solver finds wrong carries ids; [`scene::Scene::explain`] joins it with the lines of the file.
+//! No module imports against this direction: [`solver`] knows no file, no unit name and no terminal.
+//! The solver's errors refer to ids; [`scene::Scene::explain`] adds the lines of the file.
 //!
 //! # A four-bar in code
 //!
-//! The four-bar of the lectures: crank 100 mm, coupler 300 mm, rocker 250 mm, the ground pivots
-//! 400 mm apart; the crank turns at 15 rad/s.
+//! The four-bar of the lectures has a crank of 100 mm, a coupler of 300 mm, a rocker of 250 mm and
+//! ground pivots 400 mm apart. The crank turns at 15 rad/s.
 //!
 //! ```
 //! use krank::solver::{Condition, Order, Solver};
@@ -70,7 +69,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The notation is that of [`kinematics`](kinematics#notation).
+//! The notation is that of the crate [`kinematics`](kinematics#notation).
 #![cfg_attr(test, allow(clippy::unwrap_used, reason = "a test fails by panicking"))]
 
 #[cfg(all(feature = "tui", not(unix)))]

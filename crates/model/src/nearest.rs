@@ -40,7 +40,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_slip_is_found_and_another_word_is_not() {
+    fn nearest_finds_typos_but_not_other_words() {
         let known = ["A.x", "C.x", "r3.omega"];
         assert_eq!(nearest("r3.omgea", known), Some("r3.omega"));
         assert_eq!(nearest("r3.alpha", known), None);
@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn a_word_in_another_case_is_the_nearest() {
+    fn nearest_prefers_word_differing_only_in_case() {
         assert_eq!(nearest("c.x", ["A.x", "C.x"]), Some("C.x"));
     }
 }

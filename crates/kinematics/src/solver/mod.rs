@@ -6,21 +6,21 @@
 //! It keeps no history and does not allocate.
 //!
 //! ```text
-//! once       network   points, links and slides as constraints: what is known, what is sought
-//!            order     which constraints are solved together, and in which order
-//!            rank      which of them repeat others, and what is left free: by their dimensions
-//!            chain     groups become steps: dyads in closed form, the rest coupled -> plan
-//!            assemble  the assembly that is meant, at the start        choices  the others
-//!            motion    the range, its limits and change points         passage  the way through these
-//!            stops     where it meets the end of a limit, and ends
-//! each time  workspace the room: a state, which is the result, and what finding it takes besides
-//!            engine    runs the steps: elements (closed forms), coupled (Newton's method with lu)
-//!            edge      near an end of the motion: in twice the digits, from the numbers that are meant (exact)
-//!            lanes     several coordinates at once
-//!            bounds    what the errors cannot exceed                   twice    the same, to twice the digits
-//!            forces    the steps backwards: what joints carry and the driver must do
-//! besides    transmission, conditioning, dead_centres (of slides), classify, by_length (derivatives), methods (other
-//!            ways to solve, to compare)
+//! once       network    the constraints of points, links and slides: known and unknown values
+//!            order      the constraints solved together, and the order of solving
+//!            rank       redundant constraints and free motions, from the dimensions
+//!            chain      converts groups to steps: dyads in closed form, the rest coupled -> plan
+//!            assemble   the selected assembly at the start       choices       the alternatives
+//!            motion     the range, its limits and change points  change_point  their crossings
+//!            stops      the coordinates at which the motion meets the end of a limit
+//! each time  workspace  the state, which is the result, and the memory to compute it
+//!            engine     runs the steps: elements (closed forms), coupled (Newton's method with lu)
+//!            edge       near an end: in double-double, from the typed decimals (exact)
+//!            lanes      several coordinates at once
+//!            bounds     error bounds                             twice         results in double-double
+//!            forces     runs the steps backwards: joint forces, and the driver's torque or force
+//! also       transmission, conditioning, dead_centres (of slides), classify,
+//!            by_length (derivatives), methods (other methods, for comparison)
 //! ```
 //!
 //! Formulas of steps and coupled groups are written once, generic over [`crate::Number`].

@@ -14,7 +14,7 @@ fn told(scene: &str, wishes: &[&str]) -> Result<Vec<Pick>, String> {
 }
 
 #[test]
-fn wishes_are_read_as_they_are_written() {
+fn assembly_request_round_trips_through_text() {
     for text in ["C=+", "C=-", "E=2", "B'=+"] {
         assert_eq!(text.parse::<Wish>().unwrap().to_string(), text);
     }
@@ -24,7 +24,7 @@ fn wishes_are_read_as_they_are_written() {
 }
 
 #[test]
-fn groups_are_known_by_what_names_them() {
+fn picks_find_groups_by_name() {
     assert_eq!(told("four-bar", &["C=-"]), Ok(vec![Pick::Minus]));
     assert_eq!(
         told("press", &["F=+", "C=-"]),
@@ -38,7 +38,7 @@ fn groups_are_known_by_what_names_them() {
 }
 
 #[test]
-fn what_cannot_be_meant_is_told_with_what_can() {
+fn invalid_picks_are_rejected_with_alternatives() {
     for (scene, wishes, says) in [
         (
             "four-bar",
@@ -76,9 +76,10 @@ fn what_cannot_be_meant_is_told_with_what_can() {
     }
 }
 
-/// Every whole assembly of every preset, written and read again, is itself; nothing else changes.
+/// Saves and reopens up to eight complete assemblies of every preset. Only lines with positions
+/// change.
 #[test]
-fn what_is_saved_opens_as_what_it_was() {
+fn saved_assembly_reopens_with_its_change_points() {
     let mut saved = 0;
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
@@ -110,9 +111,9 @@ fn what_is_saved_opens_as_what_it_was() {
     assert!(saved > 40, "{saved}");
 }
 
-/// A motion that does not come to where the scene opens takes its opening along.
+/// A motion that does not reach the scene's driver coordinate is saved with another one.
 #[test]
-fn an_assembly_that_does_not_reach_the_opening_opens_elsewhere() {
+fn saved_assembly_moves_driver_start_when_needed() {
     let text = "[ground]\nA = [0, 0]\nD = [3, 0]\n[driver]\nlink = \"a\"\nangle = 0 # flat\n[links]\n\
         a = { from = \"A\", to = \"B\", length = 1 }\nb = { from = \"B\", to = \"C\", length = 3 }\n\
         c = { from = \"D\", to = \"C\", length = 1 }\n";
@@ -121,7 +122,7 @@ fn an_assembly_that_does_not_reach_the_opening_opens_elsewhere() {
     for (pick, y) in [(Pick::Plus, 1.0), (Pick::Minus, -1.0)] {
         let picks = [(ElementId::Point(point), pick)];
         let solver = Solver::with_assembly(&scene.mechanism, &picks).unwrap();
-        // At the change point itself no place tells the two ways apart.
+        // At the change point itself, no position distinguishes the two branches.
         assert_eq!(scene.with_start_of(&solver, 0.0), None);
         let moved = scene.with_start_of(&solver, 90.0).unwrap();
         assert!(moved.contains("angle = 90.0 # flat\n"), "{moved}");

@@ -100,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn escape_sequences_and_marks_of_direction_are_replaced_one_by_one() {
+    fn sanitized_replaces_each_harmful_character() {
         let hostile = "a\u{1b}[2J\u{202e}b\u{200b}\r\u{9b}\u{e0041}c";
         let shown = sanitized(hostile, false);
         assert_eq!(shown.chars().count(), hostile.chars().count());
@@ -109,7 +109,7 @@ mod tests {
     }
 
     #[test]
-    fn a_message_names_the_character() {
+    fn escaped_shows_code_points_or_ascii_letters() {
         assert_eq!(escaped("a\u{1b}[2J\n\u{d6}", false), "a\\u{1b}[2J \u{d6}");
         assert_eq!(escaped("\u{d6}", true), "\\u{d6}");
         Language::Turkish.speak();
@@ -121,7 +121,7 @@ mod tests {
     }
 
     #[test]
-    fn letters_of_turkish_become_those_that_they_look_like() {
+    fn turkish_letters_become_similar_ascii_letters() {
         let all = "ç ğ ı i ö ş ü Ç Ğ I İ Ö Ş Ü â î û";
         assert_eq!(sanitized(all, true), "c g i i o s u C G I I O S U a i u");
         assert_eq!(with_ascii_letters(all), sanitized(all, true));
@@ -129,7 +129,7 @@ mod tests {
     }
 
     #[test]
-    fn ordinary_text_of_any_script_stays() {
+    fn sanitized_keeps_ordinary_unicode_text() {
         let turkish = "Krank-biyel mekanizması, θ3 = 29°";
         assert_eq!(sanitized(turkish, false), turkish);
         assert_eq!(

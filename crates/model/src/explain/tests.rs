@@ -26,7 +26,7 @@ fn says(scene: &Scene, fault: &Fault, phrases: &[&str]) {
 }
 
 #[test]
-fn mobility_names_the_links_that_float_and_counts_what_repeats() {
+fn mobility_fault_names_floating_and_redundant_parts() {
     let scene = scene("four-bar");
     let floating = vec![link(&scene, "r3"), link(&scene, "r4")];
     let fault = Fault::Mobility {
@@ -61,7 +61,7 @@ fn mobility_names_the_links_that_float_and_counts_what_repeats() {
 }
 
 #[test]
-fn an_open_loop_says_by_how_much_and_where() {
+fn open_loop_fault_reports_gap_and_links() {
     let scene = scene("four-bar");
     let fault = Fault::Open {
         point: point(&scene, "C"),
@@ -78,7 +78,7 @@ fn an_open_loop_says_by_how_much_and_where() {
 }
 
 #[test]
-fn a_vague_start_lists_the_choices_as_lines_to_copy() {
+fn vague_start_lists_choices_as_toml_lines() {
     let mut text = presets::find("four-bar").unwrap().text.to_owned();
     text = text
         .replace("\"C\"", "\"C'\"")
@@ -95,13 +95,13 @@ fn a_vague_start_lists_the_choices_as_lines_to_copy() {
         "\"C'\" = [-1e-7, 0.666667]",
     ];
     says(&scene, &fault, &phrases);
-    // The lines that are shown can be put into the file as they stand.
+    // The shown lines can be copied to the file unchanged.
     let mended = text.replace("[start]\n", "[start]\n\"C'\" = [-1e-7, 0.666667]\n");
     assert!(Scene::parse(&mended, "x").is_ok());
 }
 
 #[test]
-fn a_start_between_two_assemblies_is_quoted() {
+fn vague_start_quotes_the_given_position() {
     let scene = scene("four-bar");
     let fault = Fault::Vague {
         point: point(&scene, "C"),
@@ -112,7 +112,7 @@ fn a_start_between_two_assemblies_is_quoted() {
 }
 
 #[test]
-fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() {
+fn unassembled_group_asks_for_missing_start_positions() {
     let scene = scene("stephenson-six-bar");
     let given = scene.mechanism.start()[0].0;
     let other = scene
@@ -147,7 +147,7 @@ fn a_coupled_group_that_was_not_found_asks_for_the_positions_that_are_missing() 
 }
 
 #[test]
-fn a_misfit_names_its_element_and_size() {
+fn over_constrained_fault_names_element_and_misfit() {
     let scene = scene("excavator-boom");
     let fault = Fault::OverConstrained {
         element: ElementId::Slide(scene.mechanism.slide_ids().next().unwrap()),
@@ -168,7 +168,7 @@ fn a_misfit_names_its_element_and_size() {
 }
 
 #[test]
-fn hidden_points_are_named_by_what_they_belong_to() {
+fn hidden_point_is_named_by_its_link() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nslide = \"s\"\nposition = 0\n\
                 [links]\nram = { points = { P = [1, 0] } }\nr = { from = \"A\", to = \"P\", length = 1 }\n\
                 [slides]\ns = { link = \"ram\", on = \"ground\", through = \"A\" }\n";
@@ -188,7 +188,7 @@ fn hidden_points_are_named_by_what_they_belong_to() {
 }
 
 #[test]
-fn a_singular_group_names_its_elements() {
+fn singular_group_fault_names_its_elements() {
     let scene = scene("press-ram");
     let slide = scene.mechanism.slide_ids().next().unwrap();
     let point = scene.mechanism.slide(slide).slider.point();
@@ -212,7 +212,7 @@ fn a_singular_group_names_its_elements() {
 }
 
 #[test]
-fn figures_have_six_digits_and_read_back() {
+fn figure_formats_six_significant_digits() {
     for (value, text) in [
         (0.0, "0"),
         (-250.0, "-250"),

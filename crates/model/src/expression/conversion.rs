@@ -22,7 +22,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn units_of_one_measure_are_converted_and_others_are_not() {
+    fn converted_requires_units_of_one_measure() {
         let mm = LengthScale {
             symbol: "mm",
             tenths_of_mm: 10.0,

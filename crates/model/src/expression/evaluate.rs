@@ -433,9 +433,9 @@ mod tests {
             .map_err(|fault| fault.message)
     }
 
-    /// Each of these decimals has one double; sums of doubles miss most of them.
+    /// Each result is a decimal with one nearest double. Sums of doubles miss most of them.
     #[test]
-    fn decimals_come_out_as_decimals() {
+    fn decimal_formulas_evaluate_exactly() {
         for (text, decimal) in [
             ("0.1 + 0.2", 0.3),
             ("0.1 + 0.2 - 0.3", 0.0),
@@ -468,7 +468,7 @@ mod tests {
             ("hypot(3e200, 4e200)", 5e200),
             ("hypot(-3, 0)", 3.0),
             ("min(3, -2, 7) + max(3, 8) + abs(-4)", 10.0),
-            // Nothing overflows, underflows or cancels on the way.
+            // No intermediate result overflows, underflows or cancels.
             ("3e-308 / 3e-310", 100.0),
             ("1e-300 * 1e302", 100.0),
             ("1e305 / 1e303", 100.0),
@@ -502,7 +502,7 @@ mod tests {
             ("1 rad - 180 / pi", 0.0),
             ("rod + 2.54 cm", 11.0),
             ("rod / 5 in + sin(lean)", 2.5),
-            // All but lengths in metres, and of degrees only those that stand alone.
+            // Other units than lengths are based on metres. Only plain angles are in degrees.
             ("5 N/mm + 1 N/m", 5001.0),
             ("1 N m/deg * pi - 180 N m", 0.0),
         ] {
@@ -510,9 +510,9 @@ mod tests {
         }
     }
 
-    /// The doubles next to what mpmath gives with 50 digits.
+    /// The expected doubles are nearest to results of mpmath with 50 digits.
     #[test]
-    fn what_is_no_decimal_is_the_nearest_double() {
+    fn non_decimal_results_are_nearest_doubles() {
         for (text, nearest) in [
             ("sqrt(2)", std::f64::consts::SQRT_2),
             ("2 ^ 1.5", 2.828_427_124_746_190_3),
@@ -530,7 +530,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_worth_says_why() {
+    fn formula_without_value_explains_why() {
         for (text, message) in [
             (
                 "a / (0.1 + 0.2 - 0.3)",
@@ -568,7 +568,7 @@ mod tests {
         }
     }
 
-    /// A fraction of whole numbers: the exact value of a formula of decimals.
+    /// A fraction of integers: the exact value of a formula of decimals.
     #[derive(Clone, Debug)]
     struct Fraction {
         above: BigInt,
@@ -674,9 +674,10 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(2000))]
 
-        /// A result is within half an ulp of the exact one, or refused because no double holds it.
+        /// A result is within half an ulp of the exact one, or rejected because no double
+        /// represents it.
         #[test]
-        fn results_are_the_doubles_nearest_to_exact_fractions((text, exact) in formulas()) {
+        fn results_are_nearest_doubles_to_exact_fractions((text, exact) in formulas()) {
             let largest = Fraction::of(f64::MAX);
             let least = Fraction::power_of_two(-1074);
             match worth(&text) {

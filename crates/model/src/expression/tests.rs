@@ -38,7 +38,7 @@ fn read(text: &str, leaves: [f64; 7]) -> (f64, String) {
 const LEAVES: [f64; 7] = [30.0, 90.0, 350.0, 2.0, 5.0, 4.0, 20.0];
 
 #[test]
-fn formulas_are_what_they_say_and_have_their_unit() {
+fn formulas_have_correct_value_and_unit() {
     for (text, value, unit) in [
         ("1 + 2 * 3 - 8 / 4", 5.0, "1"),
         ("2 * -3", -6.0, "1"),
@@ -89,7 +89,7 @@ fn formulas_are_what_they_say_and_have_their_unit() {
 }
 
 #[test]
-fn half_a_turn_is_the_way_there_and_not_the_way_back() {
+fn direction_difference_of_half_turn_is_positive() {
     let short = |a: f64, b: f64| {
         let mut leaves = LEAVES;
         (leaves[2], leaves[6]) = (a, b);
@@ -102,7 +102,7 @@ fn half_a_turn_is_the_way_there_and_not_the_way_back() {
 }
 
 #[test]
-fn what_does_not_go_together_is_told_with_its_place() {
+fn malformed_formulas_report_reason_and_span() {
     for (text, place, phrase) in [
         ("", 0..0, "the formula ends, but a number"),
         ("C.x +", 5..5, "the formula ends"),
@@ -164,9 +164,10 @@ fn rates(text: &str, leaves: [[f64; 3]; 7]) -> [f64; 3] {
     })
 }
 
-/// Every rule against differences of the formula itself, over a way on which everything changes.
+/// Checks every differentiation rule against differences of the formula, on a path on which every
+/// leaf changes.
 #[test]
-fn rates_are_those_of_differences() {
+fn rates_match_finite_differences() {
     let leaves = |t: f64| -> [[f64; 3]; 7] {
         let way = |a: f64, b: f64, c: f64| [a + t * (b + t * c), b + 2.0 * c * t, 2.0 * c];
         let mut all = std::array::from_fn(|i| way(3.0 + i as f64, 0.5 + i as f64, -0.75));
@@ -213,9 +214,10 @@ fn rates_are_those_of_differences() {
     }
 }
 
-/// Where a size is 0 it has no rate; where it may be, nothing is proved of one, and it is itself bounded.
+/// A magnitude has no rate where it is 0. Where it may be 0, its rate has no bound, but the
+/// magnitude itself has one.
 #[test]
-fn a_size_that_is_nought_has_a_bound_and_no_rate() {
+fn zero_magnitude_has_error_bound_but_no_rate() {
     let nought = [[0.0, 1.0, 2.0]; 7];
     for text in ["hypot(C.x, b-c)", "abs(C.x)", "max(C.x, b-c)"] {
         let [value, first, _] = rates(text, nought);
@@ -231,7 +233,7 @@ fn a_size_that_is_nought_has_a_bound_and_no_rate() {
 }
 
 #[test]
-fn nothing_is_proved_across_the_cut_of_a_direction() {
+fn direction_has_no_bound_across_its_cut() {
     let run = |text: &str, at: Ball| {
         let (code, _) = compiled(text).unwrap();
         let ball = code.run(|_, _| Some(at)).unwrap();
@@ -245,7 +247,7 @@ fn nothing_is_proved_across_the_cut_of_a_direction() {
 }
 
 #[test]
-fn a_slope_by_a_length_goes_through_every_step() {
+fn dual_numbers_propagate_slope_through_formula() {
     let (code, _) = compiled("hypot(C.x, 40 mm) * sin(turn)").unwrap();
     let found = code.run(|leaf, _| {
         Some(match leaf {
@@ -257,16 +259,16 @@ fn a_slope_by_a_length_goes_through_every_step() {
 }
 
 proptest! {
-    /// Whatever somebody writes: it is a formula or a fault with a place in the text.
+    /// Any text is a formula, or a fault with a span inside the text.
     #[test]
-    fn no_text_does_any_harm(text in "[ -~äß\u{200b}]{0,60}") {
+    fn any_text_compiles_or_reports_a_valid_span(text in "[ -~äß\u{200b}]{0,60}") {
         if let Err(fault) = compiled(&text) {
             prop_assert!(text.get(fault.span).is_some());
         }
     }
 
     #[test]
-    fn no_words_do_any_harm(words in prop::collection::vec(prop::sample::select(vec![
+    fn any_words_give_enclosed_value_or_valid_span(words in prop::collection::vec(prop::sample::select(vec![
         "C.x", "turn", "a.angle", "b.angle", "omega", "f", "b-c", "pi", "2", "0", "1e300", "90 deg", "3 mm/s^2",
         "+", "-", "*", "/", "^", "(", ")", ",", "sqrt(", "abs(", "min(", "hypot(", "sin(", "atan2(", "acos(",
     ]), 0..24)) {
@@ -276,7 +278,7 @@ proptest! {
             Ok((code, _)) => {
                 let value = code.run(|leaf, _| Some(LEAVES[usize::from(leaf)]));
                 let ball = code.run(|leaf, _| Some(Ball::new(LEAVES[usize::from(leaf)], 1e-9)));
-                // What a ball holds has the figure in it.
+                // The ball contains the value.
                 if let (Some(value), Some(ball)) = (value, ball)
                     && value.is_finite() && let Some(bound) = ball.bound(value)
                 {

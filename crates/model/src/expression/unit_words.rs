@@ -107,7 +107,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spellings_become_units() {
+    fn plain_unit_normalizes_spellings() {
         for (text, unit) in [
             ("derece", "deg"),
             ("Derece", "deg"),
@@ -145,7 +145,7 @@ mod tests {
     }
 
     #[test]
-    fn formulas_read_every_spelling() {
+    fn every_spelling_maps_to_a_known_unit() {
         assert_eq!(unit_named("°"), Some("deg"));
         assert_eq!(unit_named("N"), Some("N"));
         for other in ["n", "S", "rpm", "dk", "ds", "derecelik", ""] {

@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn every_figure_of_the_catalogue_has_a_value_and_no_other_has() {
+    fn only_listed_quantities_have_values() {
         let scene = slider_crank();
         let solver = Solver::new(&scene.mechanism).unwrap();
         let mut state = solver.state();
@@ -381,7 +381,7 @@ mod tests {
     }
 
     #[test]
-    fn patterns_select_in_their_own_order_and_each_figure_once() {
+    fn select_follows_pattern_order_without_duplicates() {
         let scene = slider_crank();
         let catalogue = Catalogue::new(&scene);
         let names = |patterns: &[&str]| -> Vec<String> {
@@ -405,9 +405,9 @@ mod tests {
         );
     }
 
-    /// They are found by their names, offered beside other names, and never by a star.
+    /// Unlisted quantities are found and suggested by name, but never matched by a star.
     #[test]
-    fn what_is_not_listed_comes_by_its_name() {
+    fn unlisted_quantities_are_selected_only_by_name() {
         let mut catalogue = Catalogue::new(&slider_crank());
         let listed = catalogue.all().len();
         catalogue.define("way = hypot(C.x, C.y)").unwrap();
@@ -440,13 +440,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn stars_stand_for_any_run(pattern in "[ab*]{0,7}", name in "[ab]{0,9}") {
+        fn star_matching_agrees_with_brute_force(pattern in "[ab*]{0,7}", name in "[ab]{0,9}") {
             prop_assert_eq!(matches(&pattern, &name), tried_out(pattern.as_bytes(), name.as_bytes()));
         }
     }
 
     #[test]
-    fn many_stars_cost_no_more_than_a_few() {
+    fn many_stars_do_not_take_exponential_time() {
         assert!(!matches(&"a*".repeat(40), &format!("{}b", "b".repeat(64))));
         assert!(!matches(&format!("{}c", "*a".repeat(30)), &"a".repeat(64)));
     }

@@ -335,7 +335,7 @@ mod tests {
     };
 
     #[test]
-    fn time_is_nought_at_the_opening_and_leads_there_and_back() {
+    fn time_is_zero_at_start_and_inverts_coordinate() {
         for clock in [
             clock(60.0, 100.0, 0.0),
             clock(60.0, -100.0, 7.0),
@@ -350,18 +350,18 @@ mod tests {
     }
 
     #[test]
-    fn a_motion_goes_from_limit_to_limit_or_once_round() {
+    fn span_covers_limits_or_one_period() {
         assert_eq!(clock(60.0, 100.0, 0.0).span(LIMITED), (-0.9, 0.3));
         assert_eq!(clock(60.0, -100.0, 0.0).span(LIMITED), (-0.3, 0.9));
         let full = Range::Full { period: 720.0 };
         assert_eq!(clock(60.0, -100.0, 0.0).span(full), (0.0, 7.2));
-        // On the limit already.
+        // The start is at the limit.
         assert_eq!(clock(90.0, 10.0, 0.0).span(LIMITED), (-12.0, 0.0));
     }
 
-    /// Forth by a cycloid and back at a constant speed, with a pause at 120.
+    /// Forwards by a cycloid, a dwell at 120, and back at a constant speed.
     #[test]
-    fn a_motion_over_time_is_followed_and_found_again() {
+    fn timed_motion_maps_time_and_coordinate_both_ways() {
         use crate::{StepLaw, TimedStep};
         let step = |law, to, time| TimedStep::Law { law, to, time };
         let steps = vec![
@@ -387,12 +387,12 @@ mod tests {
         let back = clock.time_between(30.0, 0.6, 1.0).unwrap();
         assert!((back - 0.9375).abs() < 1e-12, "{back}");
         assert_eq!(clock.time(121.0), None);
-        // Beyond a stop it is not held there: the mechanism cannot follow.
+        // Coordinates beyond a stop are not clamped: the mechanism cannot follow.
         assert_eq!(clock.moment(0.6, LIMITED).at, 120.0);
     }
 
     #[test]
-    fn a_driver_that_turns_back_leaves_by_the_limit_it_came_from() {
+    fn reversing_driver_leaves_at_entry_limit() {
         // From 60 up to 70 in 2 s, and back: at -30 after 2 + sqrt(20 * 100 / 50) s.
         let clock = clock(60.0, 10.0, -5.0);
         let (from, to) = clock.span(LIMITED);

@@ -91,7 +91,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn units_are_turned_into_each_other_where_they_measure_the_same() {
+    fn unit_factor_converts_only_within_one_measure() {
         for (from, to, factor) in [
             ("", "mm", 1.0),
             ("cm/s2", "mm/s^2", 10.0),
@@ -127,7 +127,7 @@ mod tests {
     }
 
     #[test]
-    fn other_units_measure_the_same() {
+    fn other_units_lists_units_of_equal_measure() {
         let names = |unit| -> Vec<&str> { other_units(unit).into_iter().map(|(n, _)| n).collect() };
         assert_eq!(names("deg"), ["rad"]);
         assert_eq!(names("rad/s"), ["deg/s", "rpm"]);

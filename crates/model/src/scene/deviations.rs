@@ -475,9 +475,10 @@ fn loose(mechanism: &Mechanism, point: PointId) -> Vec<LinkId> {
 mod tests {
     use crate::scene::Scene;
 
-    /// The coarsest class speaks of what is over 3 mm: of 3 mm itself it has nothing, and says so.
+    /// The coarsest class starts above 3 mm. It has no value for 3 mm itself, and the message says
+    /// so.
     #[test]
-    fn a_class_that_speaks_of_what_is_over_a_size_says_so() {
+    fn very_coarse_class_reports_open_lower_limit() {
         let text = SCENE
             .replace("ISO 2768-m", "ISO 2768-v")
             .replace("[40, 0.2]", "[40, 0.3]");
@@ -514,14 +515,15 @@ C = 0
 P = 0.004
 "#;
 
-    /// By the table of the standard, and the nearest that is given for the rest.
+    /// Classes use the table of the standard. Every length has the most specific tolerance given
+    /// for it.
     #[test]
-    fn every_length_has_the_tolerance_that_is_nearest() {
+    fn each_length_uses_most_specific_tolerance() {
         let scene = Scene::parse(SCENE, "t.toml").unwrap();
         let told = scene.tolerances().lengths.iter();
         let told = told.map(|&(length, by)| (scene.mechanism.given(length), by));
         let found: Vec<(f64, f64)> = told.collect();
-        // By kind, and of one kind in the order of names.
+        // Ordered by kind, then by name.
         let expected = [
             // Ground: A has its own; 400 mm are +-0.5 mm, 2 mm are +-0.1 mm.
             (0.0, 0.0),
@@ -547,9 +549,10 @@ P = 0.004
         assert_eq!(found, expected);
     }
 
-    /// Each pin once: that on the ground, those between two links and that in a slot, but C, which has none.
+    /// Each pin appears once: those on the ground, between two links and in a slot. C has no
+    /// clearance.
     #[test]
-    fn pins_are_loose_where_they_join() {
+    fn each_joint_pin_has_one_clearance() {
         let scene = Scene::parse(SCENE, "t.toml").unwrap();
         let told = scene.tolerances().clearances.iter();
         let told = told.map(|&(link, point, by)| {

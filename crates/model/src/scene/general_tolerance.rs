@@ -98,9 +98,9 @@ pub(super) struct GeneralSizes {
 mod tests {
     use super::*;
 
-    /// Figures of the standard's table 1, at both sides of its steps.
+    /// Values of table 1 of the standard, on both sides of its steps.
     #[test]
-    fn deviations_are_those_of_the_standard() {
+    fn deviations_match_iso_2768() {
         use GeneralTolerance::{Coarse, Fine, Medium, VeryCoarse};
         for (class, size, deviation) in [
             (Fine, 0.5, Some(0.05)),

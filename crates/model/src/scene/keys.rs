@@ -325,9 +325,9 @@ mod tests {
     use std::collections::BTreeSet;
     use toml::de::ValueDeserializer;
 
-    /// Every row is read into a field, and every field has its row.
+    /// Every row of a table has a field, and every field has a row.
     #[test]
-    fn the_table_and_the_types_that_are_read_have_the_same_keys() {
+    fn key_tables_match_deserialized_fields() {
         fn read<T: DeserializeOwned>() -> &'static [&'static str] {
             Lenient::<T>::deserialize(ValueDeserializer::parse("{}").unwrap())
                 .unwrap()
@@ -350,23 +350,23 @@ mod tests {
         }
     }
 
-    /// A place by length and angle is read by hand.
+    /// Hand-written code reads places by length and angle.
     #[test]
-    fn places_by_length_and_angle_have_their_keys() {
+    fn place_table_matches_polar_keys() {
         let rows = PLACE.iter().map(|key| key.name);
         assert!(rows.eq(sighted::KEYS));
     }
 
-    /// So is a limit of an angle.
+    /// Hand-written code reads limits of angles.
     #[test]
-    fn limits_of_angles_have_their_keys() {
+    fn limit_table_matches_angle_keys() {
         let rows = LIMIT.iter().map(|key| key.name);
         assert!(rows.eq(crate::scene::limits::ANGLE_KEYS));
     }
 
-    /// Every key is told in the reference, none without words, and in both languages the same rows.
+    /// The reference describes every key, and has the same rows in both languages.
     #[test]
-    fn the_reference_has_every_key() {
+    fn reference_lists_every_key_in_both_languages() {
         let told = Language::ALL.map(|language| {
             language.speak();
             let told = reference();
@@ -382,7 +382,7 @@ mod tests {
         for (english, turkish) in english.lines().zip(turkish.lines()) {
             let is_rule = english.starts_with("|---");
             assert!(is_rule || english != turkish, "{english}");
-            // What is typed between backticks is the same.
+            // The code between backticks is equal.
             let code = |row: &str| -> BTreeSet<String> {
                 let pieces = row.split('`').skip(1).step_by(2);
                 pieces.map(str::to_owned).collect()

@@ -82,7 +82,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn long_numbers_are_not_the_short_ones_that_they_read_as() {
+    fn is_rounded_detects_digits_lost_in_a_double() {
         for rounded in [
             "0.10000000000000001",
             "250.00000000000001",
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_comma_is_a_point_where_it_can_be_nothing_else() {
+    fn comma_is_decimal_point_only_when_unambiguous() {
         for (typed, read) in [
             ("15,5", "15.5"),
             (" -0,5 ", "-0.5"),

@@ -196,7 +196,7 @@ mod tests {
     const PUSH: RateKind = RateKind::Push(Unit::Millimetre);
 
     #[test]
-    fn every_unit_of_the_list_is_read() {
+    fn parse_accepts_every_listed_unit() {
         for kind in [RateKind::Turn, PUSH] {
             for degree in [Degree::Speed, Degree::Acceleration] {
                 for unit in units(kind, degree) {
@@ -208,7 +208,7 @@ mod tests {
     }
 
     #[test]
-    fn values_are_converted_with_one_or_two_roundings() {
+    fn parse_converts_spellings_and_units() {
         let turn = |text| parse(text, RateKind::Turn, Degree::Speed).unwrap().value;
         assert_eq!(turn("15 rad/s"), 15.0);
         assert_eq!(turn("-1.5e1rad/s"), -15.0);
@@ -237,7 +237,7 @@ mod tests {
     }
 
     #[test]
-    fn formulas_stand_before_their_unit() {
+    fn formula_splits_off_trailing_unit() {
         let turn = |text| formula(text, RateKind::Turn, Degree::Speed);
         assert_eq!(turn(" 2 * n rpm "), Some(("2 * n", "rpm")));
         assert_eq!(turn("(n + 1)rad/s"), Some(("(n + 1)", "rad/s")));
@@ -260,7 +260,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_rate_says_why() {
+    fn parse_reports_why_a_rate_is_invalid() {
         let turn = |text| parse(text, RateKind::Turn, Degree::Speed);
         assert_eq!(turn("15"), Err(Misfit::NoUnit));
         assert_eq!(turn(""), Err(Misfit::NoNumber));

@@ -218,9 +218,10 @@ mod tests {
     use serde::Deserialize;
     use toml::de::ValueDeserializer;
 
-    /// What the reader by hand took is taken still: whole numbers of any length, and the sign of nothing.
+    /// Accepts what the former hand-written reader did: integers of any length, and the sign of
+    /// zero.
     #[test]
-    fn numbers_are_the_doubles_nearest_to_their_digits() {
+    fn numbers_are_read_as_nearest_doubles() {
         let long = format!("1{}", "0".repeat(45));
         let longer = format!("-1{}", "0".repeat(400));
         let hex = format!("0x{}", "f".repeat(40));

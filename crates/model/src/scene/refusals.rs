@@ -8,7 +8,7 @@ fn message(bytes: &[u8]) -> String {
 }
 
 #[test]
-fn bytes_that_are_no_text_are_refused_with_their_place() {
+fn invalid_utf8_is_rejected_with_position() {
     let shown = message(b"name = \"ok\"\nunit = \"m\xff\"\n");
     assert!(
         shown.contains("the file is not UTF-8: byte 0xff at offset 21"),
@@ -20,7 +20,7 @@ fn bytes_that_are_no_text_are_refused_with_their_place() {
 }
 
 #[test]
-fn a_file_beyond_1_mib_is_refused() {
+fn file_above_1_mib_is_rejected() {
     let text = presets::find("four-bar").unwrap().text;
     let filler = |size: usize| format!("{text}#{}", "x".repeat(size - text.len() - 1));
     assert!(Scene::read(filler(LARGEST_FILE).as_bytes(), "x").is_ok());
@@ -39,7 +39,7 @@ fn with_links(count: usize) -> String {
 }
 
 #[test]
-fn more_than_10000_links_are_refused() {
+fn more_than_10000_links_are_rejected() {
     assert!(Scene::parse(&with_links(10_000), "x").is_ok());
     let shown = message(with_links(10_001).as_bytes());
     assert!(
@@ -49,11 +49,11 @@ fn more_than_10000_links_are_refused() {
 }
 
 #[test]
-fn only_the_first_faults_of_many_are_shown() {
+fn only_first_20_faults_are_shown() {
     let text: String = (0..500).map(|i| format!("k{i} = {i}\n")).collect();
     let faults = Scene::parse(&text, "x").unwrap_err();
     assert_eq!(faults.items.len(), 21);
-    // One more is that there are no links.
+    // The missing links are one more fault.
     assert_eq!(faults.items[20].message, "481 more faults are not shown");
 }
 
@@ -61,7 +61,7 @@ const WRONG: &str =
     "unit = \"mm\"\r\n\r\n[ground]\r\nA\t= [0, \"\u{202e}1\"] # \u{4e16}\u{200b}\r\n";
 
 #[test]
-fn a_message_shows_the_line_with_harmful_characters_replaced() {
+fn message_replaces_harmful_characters_in_quoted_line() {
     let faults = Scene::parse(WRONG, "caf\u{e9}\u{1b}.toml").unwrap_err();
     let ascii = r"
 error: the scene has no links: nothing moves
@@ -89,7 +89,7 @@ error: y of ground point `A`: `\u{202e}` is not allowed in a formula
 }
 
 #[test]
-fn colour_changes_nothing_but_colour() {
+fn coloured_message_without_codes_equals_plain_message() {
     let faults = Scene::parse(WRONG, "wrong.toml").unwrap_err();
     let coloured = faults.render(true, true);
     assert!(coloured.contains("\u{1b}["));

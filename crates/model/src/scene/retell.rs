@@ -52,7 +52,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn titles_are_new_and_numbers_old() {
+    fn retold_replaces_titles_and_keeps_numbers() {
         for preset in presets::all() {
             let scene = Scene::parse(preset.text, preset.name).unwrap();
             let text = scene.retold("a \"b\" \\", "here", "so");
@@ -70,12 +70,12 @@ mod tests {
     }
 
     #[test]
-    fn what_toml_forbids_is_escaped() {
+    fn toml_string_escapes_quotes_and_control_characters() {
         assert_eq!(toml_string("a\n\"\u{7}\\"), r#""a\u000a\"\u0007\\""#);
     }
 
     #[test]
-    fn a_scene_without_titles_gets_them_in_front() {
+    fn retold_prepends_missing_titles() {
         let body = "# mine\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
             [links]\nr = { from = \"A\", to = \"B\", length = 1 } # mm\n";
         let scene = Scene::parse(body, "test").unwrap();

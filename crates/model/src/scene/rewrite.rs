@@ -231,7 +231,7 @@ mod tests {
     }
 
     #[test]
-    fn a_section_keeps_its_comments_and_its_order() {
+    fn rewritten_start_keeps_comments_and_order() {
         let text = format!(
             "# mine\n[start]   # where it is\n  C = [310, 230] # up\n\n# the rest\n{BODY}[vectors]\nr1 = [\"D\", \"A\"]\n"
         );
@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn a_scene_without_a_start_gets_one() {
+    fn rewritten_adds_missing_start_section() {
         let lines = "\n[start]\nC = [58.25, -123.457]\nB = [50, 0]\n";
         assert_eq!(rewritten(BODY), format!("{BODY}{lines}"));
         assert_eq!(rewritten(BODY.trim_end()), format!("{BODY}{lines}"));
@@ -253,7 +253,7 @@ mod tests {
     }
 
     #[test]
-    fn other_ways_to_write_a_section_stay_what_they_are() {
+    fn rewritten_start_keeps_its_notation() {
         for (given, expected) in [
             (
                 "start = { C = [1, 2] }\n",
@@ -279,7 +279,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_stay_and_are_read_again() {
+    fn rewritten_keeps_figures_section() {
         let figures = "[figures]\nswing = 'r4.angle - r3.angle' # deg\nfast = \"swing.rate\"\n";
         let new = rewritten(&format!("{figures}{BODY}"));
         assert!(new.starts_with(figures), "{new}");
@@ -293,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn the_opening_moves_where_it_is_asked_to() {
+    fn rewritten_sets_driver_coordinate() {
         let scene = Scene::parse(BODY, "test").unwrap();
         let moved = scene.rewritten(&[], Some(0.1 + 0.2), Precision::Rough);
         let expected = BODY.replace("angle = 60 #", "angle = 0.30000000000000004 #");
@@ -301,7 +301,7 @@ mod tests {
     }
 
     #[test]
-    fn figures_are_rough_and_toml() {
+    fn figure_rounds_to_six_digits_in_toml_syntax() {
         for (value, text) in [
             (0.0, "0"),
             (311.416_953, "311.417"),

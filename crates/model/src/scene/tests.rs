@@ -15,7 +15,7 @@ fn point(scene: &Scene, name: &str) -> PointId {
 }
 
 #[test]
-fn the_four_bar_is_what_its_file_says() {
+fn parse_reads_four_bar_preset() {
     let scene = preset("four-bar");
     let m = &scene.mechanism;
     let names: Vec<_> = m
@@ -55,7 +55,7 @@ fn the_four_bar_is_what_its_file_says() {
 }
 
 #[test]
-fn the_slider_crank_has_its_slide_as_a_vector() {
+fn slider_crank_lists_its_slide_as_vector() {
     let scene = preset("slider-crank");
     let slide = &scene.mechanism.slides()[0];
     assert_eq!(slide.slider, Slider::Pin(point(&scene, "C")));
@@ -67,7 +67,7 @@ fn the_slider_crank_has_its_slide_as_a_vector() {
 }
 
 #[test]
-fn every_preset_opens() {
+fn every_preset_parses_with_source_and_note() {
     for preset in presets::all() {
         let scene =
             Scene::parse(preset.text, preset.name).unwrap_or_else(|faults| panic!("{faults}"));
@@ -260,7 +260,7 @@ fn every_kind_of_load_is_read() {
                 torque: -3.0,
                 over: over(&[[0.0, 1.0], [1.0, 0.0]]),
             },
-            // The guide points up: its lower end is where the position is least.
+            // The guide points up: its lower end has the minimum position.
             press(StrokeEnd::Least, &[[0.0, 350e3], [0.2, 200e3], [0.5, 0.0]]),
             press(StrokeEnd::Greatest, &[[0.0, 10.0], [0.1, 0.0]]),
             spring("O", "T", 1200.0, 3.5, 5.0),
@@ -273,7 +273,7 @@ fn every_kind_of_load_is_read() {
                 preload: -4.0,
                 damping: 0.0,
             },
-            // The knots fall: they are put in order, the jump with them.
+            // Descending knots are sorted, including the jump.
             Load::GasSpring {
                 from: named("T"),
                 to: named("O"),
@@ -311,7 +311,7 @@ fn every_kind_of_load_is_read() {
 }
 
 #[test]
-fn a_press_works_at_the_lower_end_of_its_guide() {
+fn press_without_end_acts_at_lower_end_of_guide() {
     let text = presets::find("press-ram").unwrap().text;
     let end = |angle: &str| {
         let text = text.replace("angle = 90", &format!("angle = {angle}"));
@@ -330,7 +330,7 @@ fn a_press_works_at_the_lower_end_of_its_guide() {
 }
 
 #[test]
-fn a_motor_turns_where_a_link_is_driven() {
+fn motor_table_is_read_for_driven_link() {
     let text = presets::find("four-bar").unwrap().text;
     let motor = |keys: &str| {
         Scene::parse(&format!("{text}\n[motor]\n{keys}"), "x")
@@ -354,7 +354,7 @@ fn a_motor_turns_where_a_link_is_driven() {
 }
 
 #[test]
-fn slides_are_placed_in_the_frame_of_what_carries_them() {
+fn slides_are_placed_in_frame_of_their_carrier() {
     let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
     let m = &scene.mechanism;
     let [rod, guide, pin] = m.slides() else {
@@ -385,7 +385,7 @@ fn slides_are_placed_in_the_frame_of_what_carries_them() {
 }
 
 #[test]
-fn every_element_knows_its_place_in_the_text() {
+fn elements_map_to_their_place_in_text() {
     let scene = Scene::parse(EVERYTHING, "made-up").unwrap();
     let m = &scene.mechanism;
     let shown = |element| &scene.text()[scene.place(element)];
@@ -430,7 +430,7 @@ fn gist(text: &str) -> String {
 }
 
 #[test]
-fn line_ends_marks_tabs_and_comments_do_not_matter() {
+fn line_endings_bom_tabs_and_comments_are_ignored() {
     let text = presets::find("four-bar").unwrap().text;
     let expected = gist(text);
     assert_eq!(gist(&text.replace('\n', "\r\n")), expected);
@@ -445,7 +445,7 @@ fn line_ends_marks_tabs_and_comments_do_not_matter() {
 }
 
 #[test]
-fn sections_and_links_may_be_written_in_other_ways() {
+fn links_are_read_from_dotted_keys_and_tables() {
     let text = presets::find("four-bar").unwrap().text;
     let inline = "r2 = { from = \"A\", to = \"B\", length = 100, com = [0, 0] }";
     let dotted = "r2.from = \"A\"\nr2.to = \"B\"\nr2.length = 1e2\nr2.com = [0.0, -0.0]";
@@ -458,9 +458,9 @@ fn sections_and_links_may_be_written_in_other_ways() {
     assert_eq!(names(&other), names(text));
 }
 
-/// `from` may name a point that stands further down; without it the place is seen from the link's origin.
+/// `from` may name a point defined later. Without it, length and angle start at the link's origin.
 #[test]
-fn points_by_length_and_angle_lie_where_they_are_seen() {
+fn polar_points_are_placed_relative_to_from_point() {
     let points = "points = { F = { from = \"E\", length = 5, angle = -90 }, P = [1, 2], \
                   E = { from = \"C\", length = 180, angle = 90 }, G = { length = 50, angle = 60 } }, \
                   com = { from = \"F\", length = 3, angle = 180 }";
@@ -479,16 +479,16 @@ fn points_by_length_and_angle_lie_where_they_are_seen() {
     ] {
         assert_eq!(r3.local(point(&scene, name)), Some(place), "{name}");
     }
-    // In the order of the file, as tables have them.
+    // In file order, as in tables.
     let names = scene.mechanism.point_ids();
     let names: Vec<_> = names.filter_map(|id| scene.point_name(id)).collect();
     let further = ["A", "D", "B", "C", "F", "P", "E", "G"];
     assert_eq!(names[..8], further);
 }
 
-/// A guide runs through the point, wherever that is.
+/// A guide runs through the named point, also after that point moves.
 #[test]
-fn a_guide_may_run_through_a_point_by_length_and_angle() {
+fn guide_through_polar_point_follows_the_point() {
     let preset = presets::find("whitworth").unwrap().text;
     let scene = Scene::parse(preset, "whitworth").unwrap();
     let on_link = |s: &crate::Slide| matches!(s.on, Body::Link(_));
@@ -510,7 +510,7 @@ fn a_guide_may_run_through_a_point_by_length_and_angle() {
 }
 
 #[test]
-fn what_is_left_out_has_a_default() {
+fn missing_keys_have_defaults() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 0\n\
                 [links]\nr = { from = \"A\", to = \"B\", length = 1 }\n";
     let scene = Scene::parse(text, "some/where/Crank 1.toml").unwrap();
@@ -523,7 +523,7 @@ fn what_is_left_out_has_a_default() {
 }
 
 #[test]
-fn names_from_outside_are_harmless() {
+fn harmful_characters_in_names_are_replaced() {
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replace("Four-bar crank-rocker", "Four\\u001b[2J\\u202e bar");
     let scene = Scene::parse(&text, "x").unwrap();
@@ -532,9 +532,10 @@ fn names_from_outside_are_harmless() {
     assert!(!unnamed.name.contains(is_harmful));
 }
 
-/// Lecture notes count the frame among the links: written as one, it is the vector of the same name.
+/// Lecture notes count the frame as a link. A frame written as a link becomes the vector of that
+/// name.
 #[test]
-fn a_frame_that_is_written_as_a_link_is_its_vector() {
+fn frame_written_as_link_becomes_a_vector() {
     let given = crate::scene::presets::find("four-bar").unwrap().text;
     let (bare, _) = given.split_once("\n[vectors]").unwrap();
     let with = |length: &str, more: &str| {
@@ -550,7 +551,7 @@ fn a_frame_that_is_written_as_a_link_is_its_vector() {
     assert!(as_vector.vectors.iter().map(|v| v.name.as_str()).eq(names));
     assert_eq!(scene.mechanism.links().len(), 3);
     assert!(matches!(scene.vectors[0].kind, VectorKind::Between(..)));
-    // It carries something, or is of another length: then it is a link, and what does not fit is told.
+    // With a mass, a load or another length it stays a link, and a wrong length is an error.
     let heavy = Scene::parse(&with("400", ", com = [200, 0], mass = 1"), "frame").unwrap();
     assert_eq!(heavy.mechanism.links().len(), 4);
     let turned = with("400", "") + "\n[[loads]]\nlink = \"r1\"\ntorque = 5\n";

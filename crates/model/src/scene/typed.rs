@@ -353,7 +353,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_typed_short_stays_short() {
+    fn typed_values_are_converted_to_shortest_decimal() {
         for (text, expected) in [
             ("100.5", "100.5"),
             ("100,5", "100.5"),
@@ -378,7 +378,7 @@ mod tests {
     }
 
     #[test]
-    fn every_measure_has_its_units() {
+    fn typed_accepts_units_of_every_measure() {
         for (name, text, expected) in [
             ("driver angle", "90 deg", "90"),
             ("driver angle", "1.2 rad", "68.75493541569878"),
@@ -407,7 +407,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_read_says_what_would_be_right() {
+    fn typed_rejects_bad_input_with_a_hint() {
         let refused =
             |name: &str, text: &str| value_in(TEXT, name).typed(text).unwrap_err().to_string();
         assert_eq!(
@@ -464,7 +464,7 @@ mod tests {
     }
 
     #[test]
-    fn a_step_brings_no_decimals_of_its_own() {
+    fn moved_adds_no_extra_decimals() {
         let moved = |literal: &str, by: f64| {
             let text = TEXT.replace("length = 100", &format!("length = {literal}"));
             value_in(&text, "r2 length").moved(by)
@@ -478,7 +478,8 @@ mod tests {
         assert_eq!(value_in(TEXT, "driver speed").moved(0.5), "15.5 rad/s");
     }
 
-    /// Against products that were worked out with 60 digits; to multiply doubles is off by a last digit.
+    /// The expected values were computed with 60 digits. Products of doubles differ in the last
+    /// digit.
     #[test]
     fn radians_are_rounded_once() {
         for (text, expected) in [

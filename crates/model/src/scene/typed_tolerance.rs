@@ -77,9 +77,9 @@ impl Scene {
 mod tests {
     use crate::scene::{Scene, presets};
 
-    /// A four-bar in mm of 400, 100, 300 and 250, with coordinates that are 0.
+    /// The four-bar has lengths of 400, 100, 300 and 250 mm, and coordinates of 0.
     #[test]
-    fn a_tolerance_is_typed_with_a_unit_or_as_a_class() {
+    fn typed_tolerances_accepts_units_and_classes() {
         let scene = Scene::parse(presets::find("four-bar").unwrap().text, "t.toml").unwrap();
         let told = |typed: &str| {
             let found = scene.typed_tolerances(typed, |_| "L".into());

@@ -23,7 +23,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_front_is_what_nothing_beats() {
+    fn front_contains_undominated_costs() {
         let costs = [
             Some([25.0, 1.7e-7]),
             Some([57.0, 3.0e-16]),
@@ -32,7 +32,7 @@ mod tests {
             Some([5869.0, 6.9e-16]),
             None,
             Some([97.0, 2.0e-16]),
-            // Slower, and nearer by no more than chance.
+            // Slower, and more accurate by no more than chance.
             Some([120.0, 0.9e-16]),
         ];
         let best = [true, true, true, false, false, false, false, false];
@@ -40,7 +40,7 @@ mod tests {
     }
 
     #[test]
-    fn equals_do_not_beat_each_other() {
+    fn equal_costs_do_not_dominate_each_other() {
         assert_eq!(front(&[Some([1.0, 1.0]), Some([1.0, 1.0])]), [true, true]);
         assert!(front(&[]).is_empty());
     }

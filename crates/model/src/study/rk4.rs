@@ -51,7 +51,7 @@ impl Rk4 {
 mod tests {
     use super::*;
 
-    /// y' = y from 1, over a unit of time.
+    /// Returns the error for y' = y from y = 1 over a unit of time.
     fn error_of_growth(steps: u32) -> f64 {
         let (mut y, h) = (1.0, 1.0 / f64::from(steps));
         let mut rk4 = Rk4::new(1);
@@ -66,14 +66,14 @@ mod tests {
     }
 
     #[test]
-    fn errors_fall_by_16_where_steps_double() {
+    fn doubling_steps_divides_error_by_16() {
         let ratio = error_of_growth(32) / error_of_growth(64);
         assert!((15.0..17.0).contains(&ratio), "{ratio}");
     }
 
-    /// y' = 4 t^3: exact, since the method is Simpson's rule there but for rounding.
+    /// y' = 4 t^3: exact except for rounding, because the method is Simpson's rule there.
     #[test]
-    fn the_parts_of_a_step_are_where_they_should_be() {
+    fn step_is_exact_for_cubic_rates() {
         let mut rk4 = Rk4::new(1);
         let change = rk4.step(2.0, |part, _, rates| {
             rates[0] = 4.0 * (2.0 * part).powi(3);
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn where_there_are_no_rates_there_is_no_step() {
+    fn step_is_none_without_rates() {
         let mut rk4 = Rk4::new(1);
         let step = rk4.step(1.0, |part, _, _| (part < 0.5).then_some(()));
         assert!(step.is_none());

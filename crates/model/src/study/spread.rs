@@ -31,7 +31,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quarters_of_the_samples_lie_beside_the_middle_half() {
+    fn spread_has_median_and_quartiles() {
         let spread = Spread::of(&[5.0, 1.0, 4.0, 2.0, 3.0]).unwrap();
         assert_eq!((spread.low, spread.median, spread.high), (2.0, 3.0, 4.0));
         let one = Spread::of(&[7.0]).unwrap();
@@ -40,7 +40,7 @@ mod tests {
     }
 
     #[test]
-    fn one_wild_sample_moves_nothing() {
+    fn spread_is_robust_to_one_outlier() {
         let samples: Vec<f64> = (0..20).map(f64::from).chain([1e9]).collect();
         assert_eq!(Spread::of(&samples).unwrap().median, 10.0);
         assert!(Spread::of(&samples).unwrap().high < 20.0);

@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_far_away_is_a_failure_and_no_error() {
+    fn far_solutions_count_as_failures() {
         let mut tally = Tally::default();
         for deviation in [off(1e-9), off(0.5), off(f64::NAN), None, off(1e-12)] {
             tally.note(deviation);
@@ -143,7 +143,7 @@ mod tests {
     }
 
     #[test]
-    fn iterations_are_told_by_median_and_most() {
+    fn iterations_report_median_and_maximum() {
         let mut tally = Tally::default();
         assert_eq!(tally.iterations(), None);
         for count in [Some(4), Some(9), None, Some(3), Some(4), Some(3)] {
@@ -154,15 +154,15 @@ mod tests {
     }
 
     #[test]
-    fn a_method_that_was_right_nowhere_has_no_errors() {
+    fn method_without_successes_has_no_errors() {
         let mut tally = Tally::default();
         tally.note(None);
         assert_eq!(tally.errors(Deviation::default()), None);
     }
 
-    /// A clock that knows what each repetition takes.
+    /// The clock advances by 700 ns for each repetition.
     #[test]
-    fn samples_are_long_enough_for_the_clock() {
+    fn stopwatch_doubles_repetitions_until_long_enough() {
         let now = std::cell::Cell::new(Duration::ZERO);
         let one = Duration::from_nanos(700);
         let mut watch = Stopwatch::default();
@@ -178,7 +178,7 @@ mod tests {
     }
 
     #[test]
-    fn a_clock_that_stands_still_ends_it_too() {
+    fn stopwatch_ends_with_a_stopped_clock() {
         let mut watch = Stopwatch::default();
         for _ in 0..21 {
             watch.take(&mut || Duration::ZERO, usize::MAX, |_| {});

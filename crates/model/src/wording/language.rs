@@ -126,7 +126,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_locale_tells_the_language_as_posix_has_it() {
+    fn locale_variables_select_language_by_posix_precedence() {
         let of = |set: &[(&str, &str)]| {
             Language::of_locale(|name| {
                 let found = set.iter().find(|(n, _)| *n == name);
@@ -143,13 +143,13 @@ mod tests {
         assert_eq!(of(&[turkish, ("LC_MESSAGES", "POSIX")]), Language::English);
         let both = [("LC_ALL", "tr_TR@euro"), ("LANG", "de_DE.UTF-8")];
         assert_eq!(of(&both), Language::Turkish);
-        // Characters are another affair than sentences, and `trv` is spoken in Taiwan.
+        // `LC_CTYPE` is about characters, not messages; `trv` is a language of Taiwan.
         assert_eq!(of(&[("LC_CTYPE", "tr_TR.UTF-8")]), Language::English);
         assert_eq!(of(&[("LANG", "trv_TW.UTF-8")]), Language::English);
     }
 
     #[test]
-    fn capitals_are_those_of_the_language() {
+    fn capitalised_follows_rules_of_each_language() {
         let turkish = |text| Language::Turkish.capitalised(text);
         assert_eq!(turkish("ivme"), "İvme");
         assert_eq!(turkish("ısı") + &turkish("şase"), "IsıŞase");

@@ -59,10 +59,10 @@ fn names(text: &str, word: &str) -> bool {
         .any(|part| part == word)
 }
 
-/// A figure that one language says and the other drops would be missed by whoever reads the other.
+/// An argument that only one language shows would be missing for readers of the other.
 #[test]
-fn both_languages_say_all_that_they_are_given() {
-    // What grammar asks for in English alone.
+fn turkish_messages_match_english_keys_and_arguments() {
+    // Arguments that only English grammar needs.
     const GRAMMAR: [&str; 1] = ["is_one"];
     let (english, turkish) = (sentences("english"), sentences("turkish"));
     assert!(english.len() > 1000, "{} are not all", english.len());
@@ -85,9 +85,9 @@ fn both_languages_say_all_that_they_are_given() {
     assert!(missing.is_empty(), "{missing:#?}");
 }
 
-/// What is typed is the same in every language: options, files, keys and values.
+/// Typed text is equal in every language: options, variables, sections and keys.
 #[test]
-fn what_is_typed_stays_as_it_is() {
+fn options_variables_sections_and_keys_are_not_translated() {
     let (english, turkish) = (sentences("english"), sentences("turkish"));
     let mut missing = Vec::new();
     for (name, said) in &english {
@@ -111,10 +111,10 @@ fn what_is_typed_stays_as_it_is() {
     assert!(missing.is_empty(), "{missing:#?}");
 }
 
-/// Sentences are read on terminals whose letters are known: those of ASCII, of Turkish, and of formulas, which pages
-/// spell where they must.
+/// Messages may use letters of ASCII and Turkish, and symbols of formulas, which pages spell out
+/// where needed.
 #[test]
-fn every_letter_can_be_spelled() {
+fn turkish_messages_use_only_supported_characters() {
     for (name, sentence) in sentences("turkish") {
         let strange = sentence
             .text

@@ -1,14 +1,14 @@
 //! The file format of recorded edits.
 //!
 //! ```text
-//! krank-edits 2
-//! scene file 2f686f6d65...        sort and name, in hexadecimal digits
-//! file 2049 131 1795269780000     device, number, when it was made; left out where there is none
-//! base 8b1a9953c4611296           sum of the text that was edited
-//! session 4711 1795269780123 host process, start in ms, host
-//! time 1795269780
-//! waits 7233206c656e677468 333031  what waits to be made: a value and its text, in hexadecimal digits; any number
-//! edits                           or `none`
+//! krank-edits 2                    format version; 3 with `waits` lines
+//! scene file 2f686f6d65...         kind, and name in hexadecimal digits
+//! file 2049 131 1795269780000      device, inode, creation time; omitted if there is no file
+//! base 8b1a9953c4611296            hash of the text before the edits
+//! session 4711 1795269780123 host  process, start in ms, host
+//! time 1795269780                  time of the edits, in seconds since 1970
+//! waits 7233206c656e677468 333031  staged edit: value and text in hexadecimal digits; any number
+//! edits                            or `none`
 //!
 //! text
 //! ```

@@ -3,9 +3,9 @@
 //! Each check is a sum that is zero except for rounding errors:
 //!
 //! ```text
-//! drive    what has come to the driver  - sum F.v + M w     of all that acts
-//! force    what the frame feels         - sum F
-//! moment   what the frame feels of it   - sum p x F + M
+//! drive    effort on the driver  - sum (F.v + M w)     over all loads
+//! force    force on the frame    - sum F
+//! moment   moment on the frame   - sum (p x F + M)
 //! ```
 //!
 //! The checks add up the equilibrium of every link and pin, so their terms are the forces at all

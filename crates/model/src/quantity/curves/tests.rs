@@ -37,10 +37,10 @@ fn close(found: &[(f64, f64)], wanted: &[(f64, f64)]) {
     }
 }
 
-/// At the dead centres crank r and rod l are in line: x^2 + e^2 = (l +- r)^2, and the crank points
-/// along the rod, or against it.
+/// At the dead centres crank r and rod l are in line: x^2 + e^2 = (l +- r)^2. The crank points
+/// along the rod or against it.
 #[test]
-fn strokes_end_at_the_dead_centres() {
+fn slider_crank_extrema_lie_at_dead_centres() {
     let curves = sampled(&preset("slider-crank"), &["C.x"], Abscissa::Driver);
     close(&turns(&curves.curves[0]), &[(0.0, 30.0), (180.0, 10.0)]);
     let text = presets::find("slider-crank").unwrap().text;
@@ -54,9 +54,9 @@ fn strokes_end_at_the_dead_centres() {
     close(&turns(&curves.curves[0]), &wanted);
 }
 
-/// A cutting stroke is drawn with breaks at its ends, which lie between samples, and with no slope.
+/// A cutting stroke has breaks at its ends, which lie between samples, and no slope there.
 #[test]
-fn a_jump_of_a_load_is_a_break() {
+fn load_jump_breaks_the_curve() {
     let text = presets::find("four-bar").unwrap().text.to_owned()
         + "[[loads]]\nlink = \"r2\"\ntorque = -5\n\
            over = [[0, 0], [80.2, 0], [80.2, 1], [120.3, 1], [120.3, 0], [360, 0]]\n";
@@ -70,9 +70,9 @@ fn a_jump_of_a_load_is_a_break() {
     assert_eq!((spans[1].0[0], spans[1].1[0]), (80.5, 120.0));
 }
 
-/// So is a jump that is small beside the rest of the curve, also in a later turn.
+/// A jump that is small compared with the rest of the curve is also a break, in later turns, too.
 #[test]
-fn a_small_jump_of_a_load_is_a_break_too() {
+fn small_load_jump_breaks_the_curve_in_any_turn() {
     let text = presets::find("four-bar").unwrap().text.to_owned()
         + "[[loads]]\nlink = \"r2\"\ntorque = -100\n\
            over = [[0, 0], [80.2, 0.5], [80.2, 0.55], [180, 1], [360, 0]]\n";
@@ -89,9 +89,10 @@ fn a_small_jump_of_a_load_is_a_break_too() {
     }
 }
 
-/// The rocker of a crank-rocker turns back where crank and coupler are in line: the law of cosines.
+/// The rocker of a crank-rocker turns back where crank and coupler are in line. The expected values
+/// are from the law of cosines.
 #[test]
-fn a_rocker_turns_back_where_crank_and_coupler_are_in_line() {
+fn rocker_extrema_match_law_of_cosines() {
     let curves = sampled(&preset("four-bar"), &["r4.angle"], Abscissa::Driver);
     let rocker = |reach: f64| {
         let cosine =
@@ -108,11 +109,11 @@ fn a_rocker_turns_back_where_crank_and_coupler_are_in_line() {
     }
 }
 
-/// Every figure of scenes with dwells, stops, loads and two turns to a period: it turns nowhere else
-/// between samples that are eight times as dense, and nowhere they go beyond an extremum. The slope of
-/// what has one is 0 there; over time, too, where the driver is as fast as its coordinate says.
+/// Checks all quantities of scenes with dwells, stops, loads and a period of two turns. Samples
+/// eight times as dense show no further extremum, and no value beyond one. Where an extremum has a
+/// slope, it is 0; over time, too, where the driver's speed depends on its coordinate.
 #[test]
-fn denser_samples_know_no_other_extrema() {
+fn denser_samples_find_no_further_extrema() {
     const DENSER: usize = 8;
     for (name, abscissa) in [
         ("four-bar-load", Abscissa::Driver),
@@ -184,7 +185,7 @@ fn denser_samples_know_no_other_extrema() {
 }
 
 #[test]
-fn samples_are_the_states_themselves() {
+fn samples_equal_solved_states_bitwise() {
     for name in ["four-bar", "stephenson-six-bar", "double-rocker", "kite"] {
         let (scene, solver) = preset(name);
         let figures = Catalogue::new(&scene).figures();
@@ -210,7 +211,7 @@ fn samples_are_the_states_themselves() {
 }
 
 #[test]
-fn a_period_of_two_turns_and_limits_are_covered_whole() {
+fn span_covers_two_turn_period_and_limited_range() {
     let curves = sampled(&preset("kite"), &["C.x"], Abscissa::Driver);
     assert_eq!(curves.span(), Some((0.0, 720.0)));
     let (scene, solver) = preset("double-rocker");
@@ -219,7 +220,7 @@ fn a_period_of_two_turns_and_limits_are_covered_whole() {
         panic!("it is limited");
     };
     assert_eq!(curves.span(), Some((low, high)));
-    // Places exist at the limits, rates do not, and grow beyond all bounds before.
+    // At the limits, positions exist but rates do not; rates grow without bound towards them.
     let [place, rate] = &curves.curves[..] else {
         panic!()
     };
@@ -234,7 +235,7 @@ fn a_period_of_two_turns_and_limits_are_covered_whole() {
 }
 
 #[test]
-fn directions_jump_at_360_deg_and_nothing_else_does() {
+fn only_directions_break_at_360_degrees() {
     let (scene, solver) = preset("drag-link");
     let figures = Catalogue::new(&scene).figures();
     let curves = Curves::new(&scene, &solver, &figures, Abscissa::Driver, None).unwrap();
@@ -253,21 +254,21 @@ fn directions_jump_at_360_deg_and_nothing_else_does() {
 }
 
 #[test]
-fn a_pole_is_a_gap_and_a_steep_slope_is_none() {
+fn jumps_detects_jump_but_not_steep_slope() {
     let (scene, solver) = preset("four-bar");
     let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
     let mut probe = Probe::new(&solver, &figures, solver.motion().range, None);
     // C.x itself, from one end of its stroke to the other: steep, but no jump.
     let values = [0.0, 180.0].map(|at| probe.value(0, at).unwrap());
     assert!(!probe.jumps(0, [0.0, 180.0], values));
-    // Values that are not those of the curve stand for a jump behind the first sample.
+    // A first value off the curve acts like a jump behind the first sample.
     assert!(probe.jumps(0, [0.0, 180.0], [1e6, values[1]]));
 }
 
-/// With an acceleration, too, the slope of a place over time is the velocity beside it, and the slope
-/// of that the acceleration.
+/// The slope of a position over time is the velocity, and the slope of a velocity the acceleration,
+/// also with an accelerated driver.
 #[test]
-fn over_time_rates_are_the_slopes_of_what_stands_beside_them() {
+fn rates_over_time_equal_slopes_of_values() {
     let text = presets::find("four-bar").unwrap().text;
     for speed in [
         "speed = \"15 rad/s\"",
@@ -304,7 +305,7 @@ fn over_time_rates_are_the_slopes_of_what_stands_beside_them() {
 }
 
 #[test]
-fn without_a_speed_there_is_no_time() {
+fn time_abscissa_needs_nonzero_speed() {
     let text = presets::find("four-bar")
         .unwrap()
         .text
@@ -315,10 +316,10 @@ fn without_a_speed_there_is_no_time() {
     assert!(matches!(none, Err(NoTime::StandsStill)));
 }
 
-/// The straight line of a Peaucellier linkage, and its rates: what is beside it is rounding, more of it
-/// at the dead points. A coupler that stays level points to 0 or to 360 deg less an error.
+/// A Peaucellier linkage's straight line and its rates deviate only by rounding errors, larger ones
+/// at the dead points. A level coupler points to 0 deg, or to 360 deg minus a rounding error.
 #[test]
-fn rounding_turns_nowhere_and_is_drawn_as_nothing() {
+fn constant_curve_with_rounding_errors_is_level() {
     for (name, column, at) in [
         ("peaucellier", "P.x", 105.0),
         ("peaucellier", "P.vx", 0.0),
@@ -345,10 +346,10 @@ fn rounding_turns_nowhere_and_is_drawn_as_nothing() {
     }
 }
 
-/// Near a change point bounds are as wide as the linkage: a curve whose largest sample lies there is not
-/// taken for level. The kite is turned so that its change point is beside a sample.
+/// Near a change point, bounds are as wide as the linkage. A curve whose largest sample lies there
+/// must not count as level. The kite is rotated so that its change point is close to a sample.
 #[test]
-fn what_moves_is_not_level_where_little_is_proved() {
+fn moving_curve_near_change_point_is_not_level() {
     let kite = presets::find("kite").unwrap().text;
     for beside in [1e-9_f64, 1e-7, 1e-6, 1e-5, 1e-4] {
         let direction = (30.0 + beside).to_radians();
@@ -371,9 +372,10 @@ fn what_moves_is_not_level_where_little_is_proved() {
     }
 }
 
-/// A time is rounded, and the coordinate that it leads back to; the way ends at the limits all the same.
+/// Times are rounded, and so are the coordinates computed from them. The ends are the exact limits
+/// nevertheless.
 #[test]
-fn over_time_the_ends_are_the_limits_themselves() {
+fn curve_over_time_ends_exactly_at_limits() {
     let text = presets::find("scissor-lift").unwrap().text;
     let speed = "speed    = \"-50 mm/s\"";
     assert!(text.contains(speed));
@@ -391,10 +393,10 @@ fn over_time_the_ends_are_the_limits_themselves() {
     }
 }
 
-/// Wherever the driver is, it comes by on the way that is drawn: on another turn, or when it has turned
-/// back.
+/// Every coordinate of the driver has a time within the drawn span: on another turn, or after the
+/// driver has turned back.
 #[test]
-fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
+fn cursor_lies_on_curve_over_time_for_uneven_driver() {
     let text = presets::find("four-bar").unwrap().text;
     for speed in [
         "speed = \"15 rad/s\"\nacceleration = \"40 rad/s^2\"",
@@ -414,7 +416,7 @@ fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
             let time = here.along.unwrap_or_else(|| panic!("{speed} {at}"));
             let apart = (clock.coordinate(time) - at).rem_euclid(TURN);
             assert!(apart.min(TURN - apart) < 1e-6, "{speed} {at} {time}");
-            // Between the samples beside it.
+            // Between the adjacent samples.
             let next = curves
                 .along
                 .iter()
@@ -433,7 +435,7 @@ fn over_time_the_cursor_is_on_the_curve_of_an_uneven_driver() {
 }
 
 #[test]
-fn what_is_all_rounding_is_level() {
+fn is_level_detects_constant_columns() {
     let curves = sampled(
         &preset("slider-crank"),
         &["C.y", "C.vy", "C.x", "r2.omega"],

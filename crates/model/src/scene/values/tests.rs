@@ -14,7 +14,7 @@ fn names(text: &str) -> Vec<String> {
 }
 
 #[test]
-fn every_number_has_a_name_and_a_unit_in_the_order_of_the_file() {
+fn values_list_every_number_with_unit_in_file_order() {
     let four_bar = presets::find("four-bar").unwrap();
     assert_eq!(
         names(four_bar.text),
@@ -40,10 +40,10 @@ fn every_number_has_a_name_and_a_unit_in_the_order_of_the_file() {
     );
 }
 
-/// Dotted keys, inline tables, several loads, escapes in a text, a mark at the beginning: what is changed
-/// is the number alone.
+/// Dotted keys, inline tables, several loads, escapes in strings and a byte order mark: only the
+/// number changes.
 #[test]
-fn a_value_is_changed_wherever_and_however_it_is_written() {
+fn with_value_replaces_number_in_every_notation() {
     let text = ALL.replace(
         "driver = 1\r\n",
         "[driver]\r\nlink = \"r2\"\r\nangle = +6e1\r\nspeed = \"1\\u0035 rad/s\" # fast\r\nacceleration = ' 2 deg/s^2'\r\n\
@@ -104,9 +104,9 @@ const LOADED: &str = "[ground]\nA = [0, 0]\n[driver]\nlink = \"motor\"\nangle = 
     [[springs]]\nlink = \"rod\"\nto = \"motor\"\nangle = 25\npreload = 26\n\
     [motor]\ntorque = 13\npeak = 14\nspeed = '15 rpm'\nflywheel = 16\nfluctuation = 0.17\ntolerance = 18\n";
 
-/// Tolerances that are numbers, by what they belong to; a class is a text.
+/// Numeric tolerances are named after their owner. A class is text and not listed.
 #[test]
-fn tolerances_have_values() {
+fn values_list_numeric_tolerances_and_clearances() {
     let text = "tolerance = 1\nclearance = 2\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 0\n\
         [links]\nr = { from = \"A\", to = \"B\", length = 10, tolerance = 3 }\n\
         s = { from = \"B\", to = \"C\", length = 30, tolerance = \"ISO 2768-m\" }\n\
@@ -127,7 +127,7 @@ fn tolerances_have_values() {
 }
 
 #[test]
-fn what_acts_has_values() {
+fn values_list_loads_springs_and_motor() {
     let found = names(LOADED);
     let first = found.iter().position(|n| n == "C force x = 1 N").unwrap();
     assert_eq!(
@@ -162,7 +162,7 @@ fn what_acts_has_values() {
             "spring rod-ground damping = 24 N m s/rad",
             "spring rod-motor angle = 25 deg",
             "spring rod-motor preload = 26 N m",
-            // A link is called so too.
+            // A link has the same name.
             "motor torque (2) = 13 N m",
             "motor peak = 14 N m",
             "motor speed = 15 rpm",
@@ -174,7 +174,7 @@ fn what_acts_has_values() {
 }
 
 #[test]
-fn what_acts_is_changed_where_it_stands() {
+fn with_value_changes_loads_springs_and_motor_in_place() {
     let scene = Scene::parse(LOADED, "test").unwrap();
     let mut read_again = 0;
     for value in scene.values() {
@@ -187,7 +187,7 @@ fn what_acts_is_changed_where_it_stands() {
         let other = value.moved(0.25);
         let changed = scene.with_value(&value, &other);
         let Ok(again) = Scene::parse(&changed, "test") else {
-            // Two knots at one place, or a point that left its guide.
+            // Two knots at the same coordinate, or a point off its guide.
             continue;
         };
         let found = again.values().into_iter().find(|v| v.name == value.name);
@@ -214,9 +214,9 @@ fn what_acts_is_changed_where_it_stands() {
     }
 }
 
-/// A scene that is changed keeps the form it was written in.
+/// A changed scene keeps its notation.
 #[test]
-fn places_by_length_and_angle_are_changed_as_they_are_written() {
+fn polar_places_are_changed_in_polar_form() {
     let seen = "points = { E = { from = \"C\", length = 180.0, angle = 72 } }, com = { length = 15, angle = 5 }";
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replace("com = [150, 0]", seen);
@@ -248,7 +248,7 @@ fn places_by_length_and_angle_are_changed_as_they_are_written() {
 }
 
 #[test]
-fn slides_have_values_too() {
+fn values_list_slides_and_driver_position() {
     let text = presets::find("slider-crank").unwrap().text;
     assert!(
         names(text).iter().any(|n| n.starts_with("r4 angle = ")),
@@ -262,7 +262,7 @@ fn slides_have_values_too() {
 }
 
 #[test]
-fn every_value_of_every_preset_by_itself_is_the_same_text() {
+fn preset_values_replaced_by_own_text_change_nothing() {
     for preset in presets::all() {
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let values = scene.values();
@@ -291,9 +291,9 @@ fn every_value_of_every_preset_by_itself_is_the_same_text() {
 }
 
 proptest! {
-    /// Whatever is put in the place of a value, everything around it stays to the byte.
+    /// Replacing a value by any text changes no byte around it.
     #[test]
-    fn the_rest_stays_to_the_byte(preset in 0..presets::all().len(), at in 0_usize..1000, text in "\\PC{0,12}") {
+    fn with_value_keeps_all_other_bytes(preset in 0..presets::all().len(), at in 0_usize..1000, text in "\\PC{0,12}") {
         let preset = &presets::all()[preset];
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let values = scene.values();
@@ -301,14 +301,14 @@ proptest! {
         let changed = scene.with_value(value, &text);
         prop_assert_eq!(&changed[..value.place.start], &scene.text()[..value.place.start]);
         prop_assert!(changed.ends_with(&scene.text()[value.place.end..]));
-        // Neither reading it nor typing it panics.
+        // Neither parsing nor typing it panics.
         let _ = Scene::parse(&changed, preset.name);
         let _ = value.typed(&text);
     }
 
-    /// A step forth and back leads to the same number.
+    /// A step and the opposite step restore the number.
     #[test]
-    fn steps_can_be_taken_back(number in -1e6_f64..1e6, exponent in -6_i32..3) {
+    fn step_and_opposite_step_restore_number(number in -1e6_f64..1e6, exponent in -6_i32..3) {
         let text = presets::find("four-bar").unwrap().text;
         let number = (number * 1e3).round() / 1e3;
         let scene = Scene::parse(&text.replace("A = [0, 0]", &format!("A = [{number:?}, 0]")), "t").unwrap();
@@ -402,7 +402,7 @@ fn to_the_bit(scene: &Scene) -> String {
 }
 
 #[test]
-fn formulas_stand_wherever_numbers_do() {
+fn formulas_are_accepted_wherever_numbers_are() {
     let [formulas, numbers] = [BY_FORMULAS, BY_NUMBERS].map(|text| {
         let scene = Scene::parse(text, "test");
         scene.unwrap_or_else(|faults| panic!("{}", faults.render(true, false)))
@@ -425,7 +425,7 @@ fn formulas_stand_wherever_numbers_do() {
         ("n", 30.0),
     ];
     assert_eq!(parameters, worth);
-    // In the list they stand first, whatever stands before them in the file.
+    // Parameters come first in the list, wherever they are in the file.
     let first: Vec<String> = formulas
         .values()
         .into_iter()
@@ -436,7 +436,7 @@ fn formulas_stand_wherever_numbers_do() {
 }
 
 #[test]
-fn a_formula_is_shown_and_replaced_and_every_other_byte_stays() {
+fn formula_is_shown_and_replaced_without_other_changes() {
     let scene = Scene::parse(BY_FORMULAS, "test").unwrap();
     let named = |name: &str| scene.value_named(name).unwrap();
     let rod = named("r3.length");
@@ -504,10 +504,10 @@ fn a_formula_is_shown_and_replaced_and_every_other_byte_stays() {
     );
 }
 
-/// Used to be lost: `a = "10 kg"` stood for a length, and a new number of a parameter came without its unit, so that
-/// what is made of it no longer went together.
+/// The unit used to be lost: `a = "10 kg"` was accepted as a length. A new number of a parameter
+/// had no unit, so that the units of its formulas no longer matched.
 #[test]
-fn a_parameter_keeps_its_unit() {
+fn parameter_keeps_its_unit() {
     let with = |parameters: &str, length: &str| {
         let parameters = format!("[parameters]\n{parameters}\n[ground]");
         BY_NUMBERS.replacen("[ground]", &parameters, 1).replacen(
@@ -550,7 +550,7 @@ fn a_parameter_keeps_its_unit() {
 }
 
 #[test]
-fn long_chains_of_parameters_are_worked_out_in_any_order() {
+fn long_chains_of_parameters_are_evaluated_in_any_order() {
     let count = 20_000;
     let mut text = String::from("[parameters]\n");
     for i in (1..count).rev() {
@@ -560,19 +560,19 @@ fn long_chains_of_parameters_are_worked_out_in_any_order() {
     let scene = BY_NUMBERS.replacen("[ground]", &(text.clone() + "[ground]"), 1);
     let scene = Scene::parse(&scene, "test").unwrap();
     assert_eq!(scene.value_named("p19999").unwrap().number, 20_004.0);
-    // Closed to a circle it is refused, and once.
+    // A cycle is rejected, with a single diagnostic.
     let circle = text.replace("p0 = 5", "p0 = \"p19999\"");
     let circle = BY_NUMBERS.replacen("[ground]", &(circle + "[ground]"), 1);
     assert_eq!(Scene::parse(&circle, "test").unwrap_err().items.len(), 1);
 }
 
 proptest! {
-    /// A decimal typed in parts is the decimal that the parts make: the scene is the same to the bit.
+    /// A decimal written as a sum and product gives the same scene, bit by bit.
     #[test]
-    fn sums_and_products_of_decimals_are_those_that_are_written_out(
+    fn formulas_of_decimals_equal_written_out_decimals(
         whole in 1_u64..100_000, cents in 0_u64..100, times in 1_u64..50,
     ) {
-        // In exact integers: so many hundredths.
+        // The exact number of hundredths.
         let hundredths = (whole * 100 + cents) * times;
         let written = format!("{}.{:02}", hundredths / 100, hundredths % 100);
         let parameters = format!(
@@ -589,11 +589,11 @@ proptest! {
 }
 
 #[test]
-fn formulas_stay_when_a_scene_is_told_anew() {
+fn retold_and_rewritten_scenes_keep_formulas() {
     let scene = Scene::parse(BY_FORMULAS, "test").unwrap();
     let told = scene.retold("n", "s", "t");
     assert!(told.ends_with(BY_FORMULAS), "{told}");
-    // A start that is written takes the place of the one that was, and nothing else does.
+    // A new start position replaces the old one and nothing else.
     let point = scene
         .mechanism
         .point_ids()

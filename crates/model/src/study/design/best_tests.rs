@@ -3,9 +3,10 @@
 use super::tests::{axes, figures, goals, space};
 use super::{BestDesign, OptimiseOrder};
 
-/// An optimum that is known: the greatest stroke with the transmission angle kept. An in-line slider-crank has stroke 2 r and its transmission angle is least at 90 deg, cos = r / l.
+/// A known optimum: the maximum stroke with a bounded transmission angle. An in-line slider-crank
+/// has the stroke 2 r, and its transmission angle is least at 90 deg, with cos = r / l.
 #[test]
-fn the_best_design_lies_on_its_constraint() {
+fn best_design_lies_on_its_constraint() {
     let space = space("slider-crank", &["r2 length"]);
     let figures = figures(&space, &["r4.length.stroke", "transmission"]);
     let l = space
@@ -31,9 +32,9 @@ fn the_best_design_lies_on_its_constraint() {
     assert_eq!(best, alone);
 }
 
-/// A search that is stopped gives the best design so far, between generations and within one.
+/// A stopped search returns the best design so far, between generations and within one.
 #[test]
-fn stopped_search_gives_the_best_so_far() {
+fn stopped_search_returns_best_so_far() {
     let space = space("slider-crank", &["r2 length"]);
     let figures = figures(&space, &["r4.length.stroke"]);
     let axes = axes(&["r2=2..19"]);
@@ -80,7 +81,7 @@ fn swing_and_transmission([r2, r3, r4, r1]: [f64; 4]) -> (f64, f64) {
     let swing = at(r3 + r2, r1, r4) - at(r3 - r2, r1, r4);
     let angles = [r1 - r2, r1 + r2].map(|far| at(far, r3, r4));
     let off = angles.iter().map(|angle| (angle - 90.0).abs());
-    // Where links are too short for that, there is no such angle.
+    // If the links are too short for that, there is no such angle.
     let closes = angles.iter().all(|angle| angle.is_finite());
     (
         swing,
@@ -92,11 +93,11 @@ fn swing_and_transmission([r2, r3, r4, r1]: [f64; 4]) -> (f64, f64) {
     )
 }
 
-/// The greatest transmission angle with a swing that is to be kept exactly: to every coupler the cranks follow from the
-/// swing by bisection of the closed formula, and the best of all is sought place by place. It lies where the angle is as
+/// The maximum transmission angle with an exact swing. For every coupler, bisection of the closed
+/// formula gives the cranks with that swing, and a scan finds the best. There the angle is equally
 /// far from 90 deg on both sides.
 #[test]
-fn the_best_design_keeps_an_equality() {
+fn best_design_satisfies_equality_constraint() {
     let of = |r2: f64, r3: f64| swing_and_transmission([r2, r3, 250.0, 400.0]);
     let best_with = |r3: f64| {
         let over = |r2: f64| of(r2, r3).0 - 50.0;
@@ -136,7 +137,7 @@ fn the_best_design_keeps_an_equality() {
         let axes = axes(&["r2=90..120", "r3=290..340"]);
         let best = BestDesign::find(&figures, &constraints, &axes, order, &mut |_| true).unwrap();
         assert_eq!(best.missed, 0.0, "{best:?}");
-        // The places are that far apart.
+        // The resolution of the scan.
         assert!(
             (best.value - known).abs() < 1e-4,
             "{best:?}: {known} at {known_at}"

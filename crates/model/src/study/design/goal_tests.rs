@@ -3,9 +3,9 @@
 use super::tests::{axes, figures, goals, space, stroke};
 use super::{GoalSearch, PlanAxis, SearchOutcome};
 
-/// One length for one goal: the stroke of the in-line slider-crank is twice the crank's length.
+/// One length and one goal: the stroke of the in-line slider-crank is twice the crank's length.
 #[test]
-fn a_stroke_is_met_by_the_crank_that_it_takes() {
+fn search_finds_crank_length_for_stroke() {
     let space = space("slider-crank", &["r2 length"]);
     let search = figures(&space, &["r4.length.stroke"]);
     let goals = goals(&space, &["r4.length.stroke = 13"]);
@@ -18,10 +18,11 @@ fn a_stroke_is_met_by_the_crank_that_it_takes() {
     );
 }
 
-/// Two goals at once, with a constraint: stroke and time ratio of an offset slider-crank by crank and offset. The
-/// dead centres lie where crank and rod are in line, cos = e / (l -+ r).
+/// Two goals and a constraint: stroke and time ratio of an offset slider-crank, by crank and
+/// offset. At the dead centres, crank and rod are in line, at an angle to the guide with
+/// sin = e / (l +- r).
 #[test]
-fn stroke_and_time_ratio_are_met_together() {
+fn search_meets_stroke_and_time_ratio_together() {
     let space = space("offset-slider-crank", &["r2 length", "r4 through y"]);
     let names = [
         "r4.length.stroke = 120",
@@ -42,7 +43,7 @@ fn stroke_and_time_ratio_are_met_together() {
         .number;
     let search = GoalSearch::new(search, goals, &axes(&["r2", "e"]));
     let outcome = search.run(16, 1, 2, &mut |_| true);
-    // The offset to either side.
+    // One solution with the offset to either side.
     assert_eq!(outcome.solutions.len(), 2, "{outcome:?}");
     for found in &outcome.solutions {
         let [r, e] = found.numbers[..] else { panic!() };
@@ -61,9 +62,9 @@ fn stroke_and_time_ratio_are_met_together() {
     assert!((offsets[0] + offsets[1]).abs() < 1e-6, "{offsets:?}");
 }
 
-/// What cannot be met has a nearest design, and is said not to be met.
+/// An unreachable goal has no solutions, but a nearest design.
 #[test]
-fn where_nothing_meets_the_goal_the_nearest_is_told() {
+fn unreachable_goal_returns_nearest_design() {
     let space = space("slider-crank", &["r2 length"]);
     let goals = goals(&space, &["r4.length.stroke = 30"]);
     let search = figures(&space, &["r4.length.stroke"]);
@@ -74,10 +75,10 @@ fn where_nothing_meets_the_goal_the_nearest_is_told() {
     assert!((nearest.numbers[0] - 12.0).abs() < 1e-6, "{nearest:?}");
 }
 
-/// A goal of nought, and of a direction that is as near to 360 as to 0: with r3 level C stands at (350, 50 sqrt 3), and D
-/// 250 from there on the ground.
+/// Goals of 0, 360 and -360 deg are the same direction. With r3 level, C is at (350, 50 sqrt 3),
+/// and D on the ground at a distance of 250.
 #[test]
-fn a_direction_is_brought_to_nought_the_short_way() {
+fn direction_goal_is_met_modulo_360() {
     let space = space("four-bar", &["D x"]);
     let known = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt();
     for wish in ["r3.angle@60 = 0", "r3.angle@60 = 360", "r3.angle@60 = -360"] {
@@ -93,9 +94,9 @@ fn a_direction_is_brought_to_nought_the_short_way() {
     }
 }
 
-/// What is given counts no more than any other place where it lies outside of the ends.
+/// The given design is no solution if it lies outside the ends.
 #[test]
-fn nothing_is_found_outside_of_the_ends() {
+fn search_stays_within_axis_ends() {
     let space = space("slider-crank", &["r2 length"]);
     let goals = goals(&space, &["r4.length.stroke <= 24"]);
     let search = figures(&space, &["r4.length.stroke"]);
@@ -107,10 +108,11 @@ fn nothing_is_found_outside_of_the_ends() {
     }
 }
 
-/// The rocker of a four-bar swings as far as wished with a longer crank that turns no more: that is a solution, behind
-/// those whose crank turns, and it says so. The crank turns fully as long as r2 + 400 < 300 + 250.
+/// A longer crank that no longer turns fully also reaches the swing. It is a solution, marked as
+/// such, and comes after those whose crank turns. The crank turns fully as long as
+/// r2 + 400 < 300 + 250.
 #[test]
-fn a_design_that_turns_no_more_is_said_to_move_otherwise() {
+fn solutions_report_whether_they_move_as_given() {
     let space = space("four-bar", &["r2 length"]);
     let goals = goals(&space, &["r4.angle.swing = 100"]);
     let found = |threads| {
@@ -125,7 +127,7 @@ fn a_design_that_turns_no_more_is_said_to_move_otherwise() {
     }
     let kinds = outcome.solutions.iter().map(|found| !found.moves_as_given);
     assert!(kinds.is_sorted(), "those that move as given come first");
-    // The same by any number of threads.
+    // The result does not depend on the number of threads.
     let numbers = |outcome: &SearchOutcome| -> Vec<Vec<f64>> {
         let solutions = outcome.solutions.iter();
         solutions.map(|found| found.numbers.clone()).collect()
@@ -133,9 +135,10 @@ fn a_design_that_turns_no_more_is_said_to_move_otherwise() {
     assert_eq!(numbers(&outcome), numbers(&found(3)));
 }
 
-/// One goal for two values leaves a family with one freedom; one for one, and two for two, leave none. A bound leaves all.
+/// One goal for two values leaves a family with one freedom. One for one and two for two leave
+/// none; a bound leaves all.
 #[test]
-fn a_family_of_designs_is_told_by_its_freedoms() {
+fn freedoms_count_parameters_of_solution_family() {
     let both = ["r4.length.stroke = 120", "r4.length.ratio = 1.1"];
     for (values, wishes, freedoms) in [
         (vec!["r2 length"], &both[..1], 0),
@@ -158,10 +161,10 @@ fn a_family_of_designs_is_told_by_its_freedoms() {
     }
 }
 
-/// The derivatives of a stroke by crank, rod and offset, against those of the closed formula: the solver's own have all
-/// their digits, those by differences eight.
+/// Compares the derivatives of a stroke by crank, rod and offset with those of the closed formula.
+/// The solver's own are accurate to all digits, those by differences to eight.
 #[test]
-fn derivatives_are_those_of_the_closed_formula() {
+fn derivatives_match_closed_formula() {
     let values = ["r2 length", "r3 length", "r4 through y"];
     let space = space("offset-slider-crank", &values);
     let wished = goals(&space, &["r4.length.stroke = 100"]);
@@ -182,8 +185,8 @@ fn derivatives_are_those_of_the_closed_formula() {
             (l + r) / far - (l - r) / close,
             -e / far + e / close,
         ];
-        // Misses are parts of the goal's size, numbers parts of the way between their ends: both are 100 here, where
-        // the given stroke is no further off than that.
+        // Misses are relative to the goal's size, numbers to the distance between their ends. Both are 100 here,
+        // since the given stroke misses the goal by no more than that.
         for (i, known) in known.iter().enumerate() {
             let [exact, near] = [&exact, &near].map(|slopes| (slopes[(0, i)] - known).abs());
             assert!(
@@ -193,7 +196,7 @@ fn derivatives_are_those_of_the_closed_formula() {
             assert!(near < 1e-8, "{numbers:?} {i}: {known} is missed by {near}");
         }
     }
-    // The places of a swing, of extremes and of a coordinate, against differences.
+    // Compares derivatives of a swing, of extrema and at a coordinate with differences.
     let values = ["r2 length", "r3 length", "D x"];
     let space = super::tests::space("four-bar", &values);
     let wishes = [

@@ -153,9 +153,9 @@ pub(super) fn multipliers(normals: &DMatrix<f64>, slope: &DVector<f64>) -> DVect
 mod tests {
     use super::*;
 
-    /// Slopes that are no numbers hold nothing, and every normal still has its multiplier.
+    /// Normals with entries that are not finite constrain nothing, but still have a multiplier.
     #[test]
-    fn each_normal_has_a_multiplier() {
+    fn multipliers_treat_non_finite_normals_as_zero() {
         let slope = DVector::from_vec(vec![2.0, 0.0]);
         for (entry, expected) in [(1.0, 2.0), (f64::NAN, 0.0), (f64::INFINITY, 0.0)] {
             let normals = DMatrix::from_row_slice(1, 2, &[entry, 0.0]);

@@ -101,9 +101,10 @@ fn shortest_between(slopes: &[DVector<f64>]) -> (DVector<f64>, Vec<f64>) {
 mod tests {
     use super::*;
 
-    /// Between (1, 3) and (1, -1) the shortest is (1, 0), a quarter and three quarters; around nought it is nought.
+    /// Between (1, 3) and (1, -1) the shortest vector is (1, 0), with weights 1/4 and 3/4. Around
+    /// the origin it is zero.
     #[test]
-    fn the_shortest_between_slopes_is_found() {
+    fn shortest_between_finds_shortest_convex_combination() {
         let slope = |x: f64, y: f64| DVector::from_vec(vec![x, y]);
         let (shortest, parts) = shortest_between(&[slope(1.0, 3.0), slope(1.0, -1.0)]);
         assert!((shortest - slope(1.0, 0.0)).norm() < 1e-9);

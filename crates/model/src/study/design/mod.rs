@@ -7,17 +7,17 @@
 //! kept. If that is impossible, the design is an error; the assembly never changes silently.
 //!
 //! ```text
-//! plan       which designs: a grid, or a Latin hypercube, each by its number
-//! run        a row for each design of a plan, on all cores, in order
-//! goal       what a figure of the cycle is to be
-//! solve      numbers that meet goals, looked for from many starts
-//! levenberg  from one of them, by Levenberg and Marquardt's method
-//! optimise   the best numbers under constraints: differential evolution
-//! judge      how good a design is there, and the shortest way onto what is to be equal
-//! polish     from the best design of it to the best one around
-//! exact_slopes  derivatives of figures without differences
-//! hold       what holds it there: constraints and ends
-//! kink       the same where the figure has no slope
+//! plan          plans of designs: a grid or a Latin hypercube, each design with a number
+//! run           a row for each design of a plan, on all cores, in order
+//! goal          goals for cycle figures
+//! solve         numbers that meet goals, searched from many starts
+//! levenberg     from one start: the Levenberg-Marquardt method
+//! optimise      the best numbers under constraints: differential evolution
+//! judge         evaluates designs, and projects them onto equality constraints
+//! polish        from the best design of the evolution to a local optimum
+//! exact_slopes  derivatives of cycle figures without differences
+//! hold          the active constraints and bounds of an optimum
+//! kink          optimality where the figure has no derivative
 //! ```
 
 #[cfg(test)]

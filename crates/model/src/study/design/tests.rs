@@ -50,9 +50,9 @@ pub(super) fn axes(texts: &[&str]) -> Vec<PlanAxis> {
     texts.iter().map(|text| text.parse().unwrap()).collect()
 }
 
-/// A goal may be given in any unit of its kind.
+/// A goal accepts any unit of its measure.
 #[test]
-fn goals_are_converted_to_the_unit_of_their_figure() {
+fn goals_are_converted_to_unit_of_their_value() {
     let preset = crate::scene::presets::find("slider-crank").unwrap();
     let scene = crate::scene::Scene::parse(preset.text, "test").unwrap();
     let catalogue = Catalogue::new(&scene);
@@ -84,9 +84,10 @@ pub(super) fn stroke(r: f64, l: f64, e: f64) -> f64 {
     ((l + r).powi(2) - e * e).sqrt() - ((l - r).powi(2) - e * e).sqrt()
 }
 
-/// Every design of a grid, in place and opened, has the stroke of the closed formula; what turns less than fully too.
+/// Every design of a grid has the stroke of the closed formula, evaluated in place and opened. Some
+/// cranks do not turn fully.
 #[test]
-fn designs_have_the_stroke_of_the_closed_formula() {
+fn design_strokes_match_closed_formula() {
     let space = space(
         "offset-slider-crank",
         &["r2 length", "r3 length", "r4 through y"],
@@ -171,10 +172,10 @@ fn held_in_place(space: &DesignSpace, names: &[&str], part: f64) -> u32 {
     quick
 }
 
-/// In place the figures are those of the scene that is opened with these numbers, of several mechanisms at random; with
-/// stops and with further inputs too.
+/// Values computed in place equal those of the scene opened with the same numbers. Checks random
+/// designs of several mechanisms, also with further inputs.
 #[test]
-fn designs_in_place_are_those_that_are_opened() {
+fn designs_in_place_match_opened_scenes() {
     for (name, names) in [
         (
             "four-bar",
@@ -194,7 +195,7 @@ fn designs_in_place_are_those_that_are_opened() {
         let quick = held_in_place(&space(name, &values), &names, 0.03);
         assert!(quick > 10, "{name}: only {quick} in place");
     }
-    // A second crank: its length in place, its ratio and its phase not.
+    // A second crank: its length changes in place, its ratio and its phase do not.
     let figures = ["C.x@60", "C.y.greatest"];
     let quick = held_in_place(&space_of(TIMED, &["r5 length"]), &figures, 0.03);
     assert!(quick > 10, "only {quick} with a second crank");
@@ -204,10 +205,10 @@ fn designs_in_place_are_those_that_are_opened() {
     }
 }
 
-/// A rocker that stays between its stops as it is given, and with other lengths comes to one: then the range ends there,
-/// whichever way the design is looked at.
+/// The given rocker stays between its stops; with other lengths it reaches one. Then the range ends
+/// there, both in place and opened.
 #[test]
-fn a_design_in_place_passes_no_stop() {
+fn design_in_place_respects_stops() {
     let preset = presets::find("four-bar").unwrap().text;
     let (low, high) = {
         let space = space_of(preset, &["r2 length"]);
@@ -226,9 +227,9 @@ fn a_design_in_place_passes_no_stop() {
     held_in_place(&space, &["range"], 0.15);
 }
 
-/// A design that does not assemble is none, and says why; it is never another assembly.
+/// A design that cannot assemble is an error with a reason, and never another assembly.
 #[test]
-fn a_design_that_does_not_close_says_why() {
+fn design_that_cannot_assemble_reports_reason() {
     let space = space("four-bar", &["r3 length"]);
     let mut found = figures(&space, &["C.x@60"]);
     let reason = found.of(&[20.0]).unwrap_err().reason();
@@ -239,7 +240,7 @@ fn a_design_that_does_not_close_says_why() {
 }
 
 #[test]
-fn a_grid_and_a_hypercube_have_their_places() {
+fn grid_and_latin_hypercube_have_expected_points() {
     let axes = axes(&["a=90..110/3", "b=0.1..0.3/3"]);
     let plan = DesignPlan::grid(&axes, &[100.0, 0.2]);
     let all: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
@@ -256,10 +257,10 @@ fn a_grid_and_a_hypercube_have_their_places() {
     }
 }
 
-/// A number that others follow from by formulas is no length alone: all of them change. A scene like itself enlarged by
-/// s has its stroke enlarged by s.
+/// Changing a parameter changes every value whose formula uses it. A scene scaled by s has its
+/// stroke scaled by s.
 #[test]
-fn what_follows_from_a_parameter_changes_with_it() {
+fn dependent_values_change_with_their_parameter() {
     let text = "unit = \"mm\"\n[parameters]\na = 10\n[ground]\nA = [0, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n\
                 speed = \"1 rad/s\"\n[links]\nr2 = { from = \"A\", to = \"B\", length = \"a\" }\n\
                 r3 = { from = \"B\", to = \"C\", length = \"4 * a\" }\n[slides]\n\
@@ -273,15 +274,15 @@ fn what_follows_from_a_parameter_changes_with_it() {
         let figures = found.of(&[a]).unwrap();
         let [stroke, angle] = [figures[0].unwrap(), figures[1].unwrap()];
         assert!((stroke - 2.0 * a).abs() < 1e-9 * a, "{a}: {stroke}");
-        // The rod is furthest from the guide's normal where its sine is r / l.
+        // The angle between rod and guide is largest where its sine is r / l.
         let known = 0.25_f64.acos().to_degrees();
         assert!((angle - known).abs() < 1e-9, "{angle} {known}");
     }
 }
 
-/// Rows come in the order of the plan, and who takes them may have enough.
+/// Rows arrive in the order of the plan, and the receiver can stop the run.
 #[test]
-fn rows_come_in_order_until_somebody_has_enough() {
+fn rows_arrive_in_plan_order_until_stopped() {
     let space = space("slider-crank", &["r2 length"]);
     let figures = figures(&space, &["r4.length.stroke"]);
     let plan = DesignPlan::grid(&axes(&["r2=5..10/501"]), &space.given());
@@ -311,12 +312,12 @@ fn rows_come_in_order_until_somebody_has_enough() {
     assert!(taken < 200);
 }
 
-/// Rows of a study go on without a jump where a direction passes a full turn: with the coupler just below it as given,
-/// on both sides of it with other lengths.
+/// Rows of a study do not jump where a direction passes a full turn. The given coupler is just
+/// below it; with other lengths it is on both sides.
 #[test]
-fn directions_of_a_study_do_not_jump_at_a_full_turn() {
+fn directions_of_study_do_not_jump_at_full_turn() {
     let space = space("four-bar", &["r2 length"]);
-    // With r3 level C stands at (350, 50 sqrt 3), and D 250 from there on the ground.
+    // With r3 level, C is at (350, 50 sqrt 3), and D on the ground at a distance of 250.
     let level = 350.0 + (250.0_f64.powi(2) - 7_500.0).sqrt() - 1e-3;
     let text = space
         .scene()
@@ -350,9 +351,9 @@ fn directions_of_a_study_do_not_jump_at_a_full_turn() {
     assert!(sides.contains(&true), "{told:?}");
 }
 
-/// The short way is for what is to be equal: a direction that is held against a bound is compared as it is told.
+/// Only equality goals take the shorter way around. A direction with a bound is compared as shown.
 #[test]
-fn a_bound_of_a_direction_is_compared_as_it_is_told() {
+fn direction_bound_is_compared_without_wrapping() {
     let space = space("four-bar", &["D x"]);
     let all = goals(
         &space,

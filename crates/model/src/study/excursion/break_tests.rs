@@ -6,7 +6,8 @@ use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
 
-/// Returns the crank-rocker, and a fixed direction v past which the rocker swings half a turn away.
+/// Returns the crank-rocker with a fixed direction v. The rocker swings past the opposite
+/// direction.
 fn beside_a_line(definitions: &str) -> (Scene, Solver) {
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replace(
@@ -17,9 +18,9 @@ fn beside_a_line(definitions: &str) -> (Scene, Solver) {
     opened(&format!("{text}\n[figures]\n{definitions}"))
 }
 
-/// The rocker beside a line that stands still swings as it does beside the x axis.
+/// Relative to a fixed line, the rocker swings as it does relative to the x axis.
 #[test]
-fn a_difference_of_directions_has_no_jump_at_half_a_turn() {
+fn direction_difference_has_no_jump_at_half_turn() {
     let scene = beside_a_line(
         "rel = \"r4.angle - v.angle\"\nback = \"v.angle - r4.angle\"\ntwice = \"2 * r4.angle\"\n\
          more = \"r4.angle + r4.angle - v.angle\"\nhalf = \"r4.angle / 2\"\nfold = \"abs(r4.angle - v.angle)\"\n",
@@ -33,7 +34,7 @@ fn a_difference_of_directions_has_no_jump_at_half_a_turn() {
     close(&found, &[swing, ratio], 1e-12);
     let found = figures(&scene, &["twice.swing", "more.swing", "half.swing"]);
     close(&found, &[2.0 * swing, 2.0 * swing, 0.5 * swing], 1e-12);
-    // At its greatest it has the value that a state has, and there is one jump of the values in between.
+    // At its maximum it has the value of a state, and the values in between jump once.
     let [least, greatest, at] = ["rel.least", "rel.greatest", "rel.greatest.at"]
         .map(|name| figures(&scene, &[name])[0].unwrap());
     let column = Catalogue::new(&scene.0).find("rel").unwrap();
@@ -41,14 +42,14 @@ fn a_difference_of_directions_has_no_jump_at_half_a_turn() {
     let _ = scene.1.solve(at, Order::Position, &mut state);
     close(&[Ok(greatest)], &[column.value(&state).unwrap()], 1e-12);
     assert!(least < -180.0 && greatest > -180.0, "{least} {greatest}");
-    // Folded at half a turn it does not jump.
+    // The absolute value, folded at half a turn, does not jump.
     let folded = figures(&scene, &["fold.greatest", "fold.least"]);
     let least = (least + 360.0).min(-greatest);
     close(&folded, &[180.0, least], 1e-9);
 }
 
 #[test]
-fn a_difference_to_what_turns_turns_round() {
+fn difference_to_rotating_link_turns_round() {
     let scene = beside_a_line(
         "off = \"r2.angle - r4.angle\"\nsum = \"r2.angle + r4.angle\"\non = \"driver.angle - r4.angle\"\n\
          lift = \"B.y * sin(r2.angle - r4.angle)\"\n",
@@ -58,9 +59,9 @@ fn a_difference_to_what_turns_turns_round() {
     assert!(figures(&scene, &["lift.stroke"])[0].is_ok());
 }
 
-/// Half of a jump by a full turn is none that can be left out.
+/// Half of a jump by a full turn cannot be ignored.
 #[test]
-fn what_jumps_by_less_than_a_turn_has_no_stroke() {
+fn value_jumping_by_part_of_a_turn_has_no_stroke() {
     let scene = beside_a_line(
         "half = \"(r4.angle - v.angle) / 2\"\nturn = \"r2.angle / 2\"\ncount = \"driver.angle / 2\"\n\
          arc = \"driver.angle * C.x\"\n",
@@ -83,9 +84,10 @@ fn what_jumps_by_less_than_a_turn_has_no_stroke() {
     assert_eq!(found[1..], [Err(NoFigure::Jumps(0.0)); 3]);
 }
 
-/// 1 / (x - a) and its like have no greatest value; beside x they have one.
+/// 1 / (x - a) and similar formulas have no maximum. If the denominator never reaches 0, they have
+/// one.
 #[test]
-fn a_pole_is_no_greatest_value() {
+fn pole_is_not_a_maximum() {
     let scene = beside_a_line(
         "gain = \"r2.omega / r4.omega\"\nodd = \"1 / (C.x - 300 mm)\"\neven = \"1 / (C.x - 300 mm)^2\"\n\
          size = \"abs(1 / (C.x - 300 mm))\"\nroot = \"1 / sqrt(abs(C.x / (300 mm) - 1))\"\n\
@@ -98,7 +100,7 @@ fn a_pole_is_no_greatest_value() {
         other => panic!("{name}: {other:?}"),
     };
     let value = |name: &str, at: f64| figures(&scene, &[&format!("{name}@{at}")])[0].unwrap();
-    // The rocker turns back where its speed is nought.
+    // The rocker turns back where its speed is zero.
     let back = figures(&scene, &["r4.angle.least.at"])[0].unwrap();
     assert!((pole("gain.greatest") - back).abs() < 1e-8, "{back}");
     for name in ["odd", "even", "size", "root", "push", "pull"] {
@@ -119,9 +121,10 @@ fn loaded(over: &str) -> (Scene, Solver) {
     ))
 }
 
-/// 40 N m times the ratio of both speeds is what the crank must do: of a load of a fifth of a degree, at its peak.
+/// The crank's torque is 40 N m times the ratio of both speeds, at the peak of a load a fifth of a
+/// degree wide.
 #[test]
-fn a_narrow_load_is_not_lost() {
+fn narrow_load_peak_is_found() {
     let scene = loaded("[[0, 0], [80.1, 0], [80.2, 1], [80.3, 0], [360, 0]]");
     let names = [
         "driver.torque.greatest",
@@ -144,9 +147,10 @@ fn a_narrow_load_is_not_lost() {
     );
 }
 
-/// Up to 100 deg the rocker's speed grows: the crank must do most just before the load is gone.
+/// The rocker's speed grows up to 100 deg, so the crank's torque is largest just before the load
+/// ends.
 #[test]
-fn both_sides_of_a_jump_are_looked_at() {
+fn both_sides_of_a_jump_are_checked() {
     let scene = loaded("[[0, 0], [80, 0], [80, 1], [100, 1], [100, 0], [360, 0]]");
     let names = [
         "driver.torque.greatest",
@@ -162,7 +166,7 @@ fn both_sides_of_a_jump_are_looked_at() {
         "{found:?}"
     );
     assert!((found[1] - 100.0).abs() < 1e-8, "{found:?}");
-    // A load of two turns is followed for both of them.
+    // A load over two turns is followed over both.
     let scene = loaded("[[0, 0], [440, 0], [440, 1], [460, 1], [460, 0], [720, 0]]");
     let later = figures(
         &scene,
@@ -171,9 +175,9 @@ fn both_sides_of_a_jump_are_looked_at() {
     close(&later, &[found[0], 460.0], 1e-8);
 }
 
-/// max(x, a) stays at a while x is below it: nobody can say when it turns.
+/// max(x, a) stays at a while x is below it: the time of its minimum is not unique.
 #[test]
-fn what_rests_at_an_extreme_has_no_time_ratio() {
+fn value_resting_at_extremum_has_no_time_ratio() {
     let scene = beside_a_line("level = \"max(B.y, 50 mm)\"\nlow = \"min(B.y, 150 mm)\"\n");
     assert_eq!(figures(&scene, &["level.ratio"]), [Err(NoFigure::Rests)]);
     assert!(figures(&scene, &["low.ratio"])[0].is_ok());
@@ -195,18 +199,19 @@ fn what_rests_at_an_extreme_has_no_time_ratio() {
     assert_eq!(peak.until, None);
 }
 
-/// A ripple of the figure within the tolerance of its dwell is one dwell.
+/// A ripple within the tolerance of a dwell does not split it.
 #[test]
-fn a_dwell_is_told_once() {
+fn dwell_with_ripple_is_listed_once() {
     let scene = beside_a_line("ripple = \"max(B.y, 50 mm) + 0.1 mm * cos(5 * r2.angle)\"\n");
     let (_, dwells) = excursion(&scene, "ripple", Some(0.5)).dwells.unwrap();
     let low = dwells.iter().filter(|dwell| dwell.about.place.value < 60.0);
     assert_eq!(low.count(), 1, "{dwells:?}");
 }
 
-/// What is rounding changes its sign at every place, and has no pole; a press that jumps from end to end has no ratio.
+/// Rounding errors change sign at every coordinate, but are no pole. A press force that jumps from
+/// end to end has no ratio.
 #[test]
-fn rounding_has_no_pole_and_a_jump_no_ratio() {
+fn rounding_errors_have_no_pole_and_jumps_no_ratio() {
     let scene = opened(presets::find("parallelogram").unwrap().text);
     let catalogue = Catalogue::new(&scene.0);
     let speeds = catalogue

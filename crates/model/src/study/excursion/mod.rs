@@ -2,15 +2,15 @@
 //! largest rates.
 //!
 //! ```text
-//! sampler       figures and their slopes by the driver's coordinate, anywhere and along the motion
-//! breaks        where a figure jumps as a direction in it passes a full turn, or grows beyond all bounds
-//! turning       where a figure turns: roots of its slope, and none of them between two samples is lost
-//! plateau       from where to where it stays at the value at which it turns
-//! quickest      where a rate is largest
-//! strokes       from the turning places: which way takes how long, and where the figure stays
-//! cycle_figure  the names of all that, as goals and columns have them: `C.x.stroke`, `swing.ratio`
-//! evaluated     the figures of those names, of many mechanisms of one kind
-//! seam          from where directions of these are counted, so that none of them jumps at a full turn
+//! sampler       quantities and their slopes by the driver's coordinate, anywhere in the motion
+//! breaks        jumps where a direction passes a full turn, and places of unbounded growth
+//! turning       extrema: the roots of the slope, without losing any between two samples
+//! plateau       the intervals in which a quantity keeps its extreme value
+//! quickest      the place of the largest rate
+//! strokes       time ratios and dwells, computed from the extrema
+//! cycle_figure  names of these results in goals and columns: `C.x.stroke`, `swing.ratio`
+//! evaluated     the values for these names, of many mechanisms of one kind
+//! seam          reference values for directions, so that none jumps at a full turn
 //! ```
 //!
 //! A slope by the coordinate is the rate at a driver speed of 1, so extrema are as accurate as the

@@ -68,7 +68,7 @@ pub(super) fn slider_crank(crank: f64, rod: f64, offset: f64) -> (Scene, Solver)
 /// The dead centres are where crank and rod are in line: (l +- r)^2 = x^2 + e^2, and the crank's angles there are
 /// -asin(e / (l + r)) and 180 deg - asin(e / (l - r)).
 #[test]
-fn a_slider_crank_has_the_stroke_and_the_ratio_of_its_dead_centres() {
+fn slider_crank_stroke_and_ratio_match_dead_centres() {
     for (r, l, e) in [
         (30.0_f64, 100.0_f64, 0.0_f64),
         (40.0, 120.0, 50.0),
@@ -98,17 +98,17 @@ fn a_slider_crank_has_the_stroke_and_the_ratio_of_its_dead_centres() {
                 .min((outer - at).rem_euclid(360.0))
                 < 1e-11
         );
-        // Along a direction: y stays, x counts by its cosine.
+        // Along a direction: y is constant, x counts by its cosine.
         let along = (far - near) * 30_f64.to_radians().cos();
         close(&figures(&scene, &["along.stroke"]), &[along], 1e-12);
         close(&figures(&scene, &["along.ratio"]), &[ratio], 1e-11);
     }
 }
 
-/// x = r cos q: the greatest rate is r w, that of the rate r w^2; within t of an end it stays while
-/// cos q > 1 - t / r, twice acos of that.
+/// x = r cos q: the maximum speed is r w, the maximum acceleration r w^2. The yoke stays within t
+/// of an end while cos q > 1 - t / r, over twice the acos of that.
 #[test]
-fn a_scotch_yoke_is_harmonic() {
+fn scotch_yoke_is_harmonic() {
     let scene = preset("scotch-yoke");
     let names = [
         "Y.x.stroke",
@@ -131,7 +131,7 @@ fn a_scotch_yoke_is_harmonic() {
         let seconds = wanted.to_radians() / 10.0;
         assert!((dwell.seconds.unwrap() - seconds).abs() < 1e-12);
     }
-    // The whole stroke is within a tolerance that is larger.
+    // A tolerance larger than the stroke contains all of it.
     let all = excursion(&scene, "Y.x", Some(200.0)).dwells.unwrap().1;
     assert!(
         all.iter().all(|dwell| (dwell.way - 360.0).abs() < 1e-9),
@@ -139,10 +139,11 @@ fn a_scotch_yoke_is_harmonic() {
     );
 }
 
-/// Of a crank-rocker a, b, c, d the rocker's angle at D, from the line to A, has the cosine
-/// (c^2 + d^2 - (b +- a)^2) / (2 c d) where crank and coupler are in line; the crank's angles there give the ratio.
+/// The rocker of a crank-rocker a, b, c, d has an angle at D, measured from the line to A. Its
+/// cosine is (c^2 + d^2 - (b +- a)^2) / (2 c d) where crank and coupler are in line; the crank's
+/// angles there give the ratio.
 #[test]
-fn a_crank_rocker_swings_as_the_law_of_cosines_says() {
+fn crank_rocker_swing_matches_law_of_cosines() {
     let scene = preset("four-bar");
     let (a, b, c, d) = (100.0_f64, 300.0_f64, 250.0_f64, 400.0_f64);
     let angle = |side: f64, near: f64, far: f64| {
@@ -151,7 +152,7 @@ fn a_crank_rocker_swings_as_the_law_of_cosines_says() {
             .to_degrees()
     };
     let swing = angle(a + b, c, d) - angle(b - a, c, d);
-    // The crank lies on the coupler's line: from A, C stands at b + a or, behind, at b - a.
+    // The crank is in line with the coupler: from A, C is at b + a or, on the other side, at b - a.
     let (outer, inner) = (angle(c, b + a, d), angle(c, b - a, d) + 180.0);
     let way = inner - outer;
     let ratio = (way / (360.0 - way)).max((360.0 - way) / way);
@@ -162,7 +163,7 @@ fn a_crank_rocker_swings_as_the_law_of_cosines_says() {
         &["r2.angle.swing", "r2.angle.ratio", "r2.angle.least"],
     );
     assert_eq!(none, [Err(NoFigure::TurnsRound); 3]);
-    // omega4 = (a / c) w sin(t2 - t3) / sin(t4 - t3) with t3, t4 from the diagonal, degree by degree.
+    // omega4 = (a / c) w sin(t2 - t3) / sin(t4 - t3) with t3, t4 from the diagonal, every 0.01 deg.
     let rate = |t2: f64| {
         let t2 = t2.to_radians();
         let f = (d - a * t2.cos()).hypot(a * t2.sin());
@@ -183,10 +184,10 @@ fn a_crank_rocker_swings_as_the_law_of_cosines_says() {
     );
 }
 
-/// The lever passes through the crank's circle: at its dead centres the ram's line is square to the crank's way
-/// there; the slow part is 360 deg less the quick one, which is 2 acos(distance / crank).
+/// The lever's pivot lies inside the crank's circle. At the dead centres, the lever lies along the
+/// ram's guide. The quick part is 2 acos(distance / crank), the slow part 360 deg minus that.
 #[test]
-fn a_whitworth_quick_return_has_its_ratio() {
+fn whitworth_quick_return_has_known_stroke_and_ratio() {
     let scene = preset("whitworth");
     let quick = 2.0 * (50.0_f64 / 100.0).acos().to_degrees();
     let ratio = (360.0 - quick) / quick;
@@ -197,10 +198,11 @@ fn a_whitworth_quick_return_has_its_ratio() {
     );
 }
 
-/// A crank 60 about A brings the knee K of a toggle 240 + 240 over the straight line twice a turn: the ram turns four
-/// times. It is lowest, 480 under O, where the toggle is straight, and of both equal depths the ways count together.
+/// A crank of 60 about A moves the knee K of a toggle of 240 + 240 across the straight line twice a
+/// turn, so that the ram has four turning points. It is lowest, 480 below O, where the toggle is
+/// straight. The two equal minima count together.
 #[test]
-fn a_knee_that_passes_the_straight_line_makes_four_turns() {
+fn toggle_passing_straight_line_makes_four_turns() {
     let text = presets::find("toggle-press").unwrap().text;
     let straight = text.replace("length = 236", "length = 300");
     assert_ne!(straight, text);
@@ -212,7 +214,7 @@ fn a_knee_that_passes_the_straight_line_makes_four_turns() {
     let turns = excursion(&scene, "S.y", None).turnings;
     let peaks: Vec<bool> = turns.iter().map(|turn| turn.is_peak).collect();
     assert!(peaks.windows(2).all(|pair| pair[0] != pair[1]), "{turns:?}");
-    // Where the toggle is straight, O, K, S are in line: K at 240 from O below, and 300 from B.
+    // In the straight toggle O, K and S are in line: K is 240 below O, and 300 from B.
     let lowest: Vec<f64> = turns
         .iter()
         .filter(|t| !t.is_peak)
@@ -228,9 +230,10 @@ fn a_knee_that_passes_the_straight_line_makes_four_turns() {
     }
 }
 
-/// A rod of 100 between two guides at right angles: y = sqrt(100^2 - x^2), from end to end and in the middle.
+/// A rod of 100 between two perpendicular guides: y = sqrt(100^2 - x^2), with extrema at both ends
+/// and in the middle.
 #[test]
-fn a_range_has_its_ends_for_turning_places_and_no_ratio() {
+fn limited_range_turns_at_its_ends_and_has_no_ratio() {
     let scene = opened(
         "unit = \"mm\"\n[driver]\nslide = \"push\"\nposition = 60\nspeed = \"10 mm/s\"\n[links]\n\
          rod = { from = \"P\", to = \"Q\", length = 100 }\n[slides]\n\
@@ -259,18 +262,18 @@ fn a_range_has_its_ends_for_turning_places_and_no_ratio() {
     assert_eq!(none[3], Err(NoFigure::NoCoupledGroup));
 }
 
-/// A kite's period is two turns; what the crank's pin does in each, it does in both.
+/// A kite's period is two turns, and the crank's pin moves alike in both.
 #[test]
-fn a_period_of_two_turns_has_the_turns_of_both() {
+fn two_turn_period_counts_extrema_of_both_turns() {
     let scene = preset("kite");
     let found = figures(&scene, &["B.x.turns", "B.x.stroke", "B.x.ratio", "range"]);
     let crank = found[1].unwrap() / 2.0;
     close(&found, &[4.0, 2.0 * crank, 1.0, 720.0], 1e-12);
 }
 
-/// Against a thousand times as many samples, of a group that is solved by iteration.
+/// Compares a group solved by iteration with 7200 samples.
 #[test]
-fn a_coupled_group_is_followed_like_all_others() {
+fn coupled_group_stroke_matches_dense_samples() {
     let scene = preset("stephenson-six-bar");
     let (_, solver) = &scene;
     let catalogue = Catalogue::new(&scene.0);
@@ -294,16 +297,16 @@ fn a_coupled_group_is_followed_like_all_others() {
     assert!(0.0 < condition && condition < 1.0);
 }
 
-/// Two turns within a degree, between two places that are looked at: x = r cos q of a yoke, and a figure of it that
-/// wiggles by a narrow step.
+/// Two extrema within a degree, between two sampled coordinates: x = r cos q of a yoke, and a
+/// formula of it with a narrow wiggle.
 #[test]
-fn a_narrow_turn_is_not_lost() {
+fn extrema_close_together_are_found() {
     let text = presets::find("scotch-yoke").unwrap().text;
-    // f = s + c u^2 with u = x - 20: at u = 0.1 it turns, and back at none: (x - 20)^3 - 3 h^2 (x - 20).
+    // The formula is u^3 - 3 h^2 u with u = x - 20 and h = 0.1. It has extrema at u = +-h.
     let wiggle = "\n[figures]\nwiggle = \"(Y.x - 20 mm)^3 - 0.03 mm^2 * (Y.x - 20 mm)\"\n";
     let scene = opened(&format!("{text}{wiggle}"));
     let turns = excursion(&scene, "wiggle", None).turnings;
-    // u^2 = 0.01 at x = 20 +- 0.1, on both ways, and both ends of the stroke. The wiggle is 4e-3 in 2e5.
+    // u^2 = 0.01 at x = 20 +- 0.1, in both directions, and both ends of the stroke. The wiggle is 4e-3 in 3.7e5.
     let mut wanted = vec![0.0, 180.0];
     for x in [20.1_f64, 19.9] {
         let at = (x / 50.0).acos().to_degrees();
@@ -318,15 +321,15 @@ fn a_narrow_turn_is_not_lost() {
     }
 }
 
-/// Speed and acceleration of a driver that is not even: from q0 it is at q(t) = q0 + w t + a t^2 / 2.
+/// A driver with speed and acceleration: from q0 it moves to q(t) = q0 + w t + a t^2 / 2.
 #[test]
-fn an_uneven_driver_has_its_ratio_by_the_clock() {
+fn ratio_of_accelerated_driver_is_in_time() {
     let text = presets::find("scotch-yoke").unwrap().text;
     let scene = opened(&text.replace(
         "speed = \"10 rad/s\"",
         "speed = \"10 rad/s\"\nacceleration = \"4 rad/s^2\"",
     ));
-    // From 60 deg: the least at 180, the greatest at 360, the least again at 540 deg.
+    // From 60 deg: the minimum at 180, the maximum at 360, the minimum again at 540 deg.
     let time = |degrees: f64| {
         let far = (degrees - 60.0_f64).to_radians();
         ((100.0 + 8.0 * far).sqrt() - 10.0) / 4.0
@@ -339,7 +342,7 @@ fn an_uneven_driver_has_its_ratio_by_the_clock() {
 }
 
 #[test]
-fn transmission_is_the_worst_of_all_and_that_of_one_joint() {
+fn transmission_value_suggestions_and_units_are_correct() {
     let scene = preset("four-bar");
     // The angle between coupler and rocker is farthest from 90 deg where crank and frame are in line.
     let (b, c) = (300.0_f64, 250.0_f64);
@@ -381,10 +384,10 @@ fn transmission_is_the_worst_of_all_and_that_of_one_joint() {
     assert_eq!(units, ["mm", "rad/s", "mm/s^2", "", "deg"]);
 }
 
-/// The height of a crank's pin goes as r |sin|: four turns, two of them where the formula turns over, and the largest rate
-/// just there, r w. What a formula holds level has a dwell.
+/// The height of a crank's pin is r |sin q|. It has four extrema, two of them at the kinks of the
+/// formula, where the rate is largest, r w. The other formula is constant over a part of the turn.
 #[test]
-fn a_figure_that_turns_over_has_all_its_turns() {
+fn absolute_value_has_extrema_at_its_kinks() {
     let bench = slider_crank(40.0, 150.0, 0.0);
     let height = excursion(&bench, "height", None);
     let turns: Vec<(bool, f64)> = height
@@ -405,10 +408,10 @@ fn a_figure_that_turns_over_has_all_its_turns() {
     assert_eq!(level.least.value, 10.0);
 }
 
-/// Beside a near change point an acceleration has a peak of a thousandth of a degree: it is found, as dense samples find
-/// it.
+/// Next to a near change point, an acceleration has a peak a thousandth of a degree wide. It is
+/// found, as dense samples find it.
 #[test]
-fn a_peak_beside_a_near_miss_is_found() {
+fn peak_next_to_near_miss_is_found() {
     let bench = opened(
         "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [300, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n\
          speed = \"1 rad/s\"\n[links]\nr2 = { from = \"A\", to = \"B\", length = 100 }\n\

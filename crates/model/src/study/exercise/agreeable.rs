@@ -38,7 +38,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn two_digits_are_enough() {
+    fn agreeable_rounds_to_two_digits() {
         for (value, text) in [
             (0.0, "0"),
             (-0.0, "0"),
@@ -60,7 +60,7 @@ mod tests {
     }
 
     #[test]
-    fn nothing_is_lost_that_was_there() {
+    fn exactly_keeps_all_digits() {
         assert_eq!(exactly(41.5 * 0.8), "33.2");
         let long = 40.014_978_806_706_2;
         assert_eq!(exactly(long).parse(), Ok(long));

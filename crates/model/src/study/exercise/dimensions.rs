@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn every_length_is_a_dimension_and_zeros_stay() {
+    fn every_nonzero_length_is_a_dimension() {
         let list = changed("four-bar", DrawnApart::Each(30));
         let names: Vec<&str> = list.iter().map(|(name, _)| name.as_str()).collect();
         let all = [
@@ -289,16 +289,16 @@ mod tests {
     }
 
     #[test]
-    fn what_is_equal_stays_equal() {
+    fn equal_lengths_stay_equal() {
         let list = changed("triple-parallelogram", DrawnApart::Each(30));
         assert_eq!(number(&list, "r2 length"), number(&list, "r5 length"));
         assert_eq!(number(&list, "D x"), number(&list, "r3 length"));
         assert_eq!(number(&list, "H x"), number(&list, "r3 K x"));
     }
 
-    /// Lengths of points on a link are those of the link, by whatever they are given.
+    /// Lengths of points on a link change with the link, in polar form, too.
     #[test]
-    fn a_centre_by_length_and_angle_stays_at_mid_length() {
+    fn polar_points_stay_at_half_the_link_length() {
         let text = "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\
             r2 = { from = \"A\", to = \"B\", length = 100 }\n\
             r3 = { from = \"B\", to = \"C\", length = 300, com = { length = 150, angle = 0 } }\n\
@@ -320,9 +320,10 @@ mod tests {
         }
     }
 
-    /// Used to keep what follows from a parameter, so that a scene of parameters had nothing to draw.
+    /// Values that depend on a parameter used to be kept, so that a scene of parameters had nothing
+    /// to draw.
     #[test]
-    fn parameters_that_are_lengths_are_drawn_and_formulas_stay() {
+    fn length_parameters_are_drawn_and_formulas_kept() {
         let text = "unit = \"mm\"\n[parameters]\nframe = 400\ncrank = \"10 cm\"\nrod = \"3 * crank\"\nlean = 60\n\
             twice = 2\nunused = 7\n[ground]\nA = [0, 0]\nD = [\"frame\", 0]\n[driver]\nlink = \"r2\"\nangle = \"lean\"\n\
             speed = \"twice rad/s\"\n[links]\nr2 = { from = \"A\", to = \"B\", length = \"crank\" }\n\
@@ -351,7 +352,7 @@ mod tests {
     }
 
     #[test]
-    fn loads_and_what_they_keep_are_none() {
+    fn load_knots_are_no_dimensions() {
         let list = changed("press-ram", DrawnApart::Together);
         assert!(
             list.iter().all(|(name, _)| !name.contains("knot")),

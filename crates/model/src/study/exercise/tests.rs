@@ -44,12 +44,13 @@ fn thousand(name: &str) {
         let mut work = made.solver.state();
         let margins = made.solver.margins(at, &mut work).unwrap();
         let least = margins.iter().copied().fold(1.0, f64::min);
-        // 30 degrees from a dead point; the press itself comes less far.
+        // 30 degrees from a dead point; the press itself attains less.
         assert!(
             least >= maker.asked && least > 0.2,
             "{name}, seed {seed}: {least}"
         );
-        // Over the whole motion by the extremes of the transmission angle, as far as places every 5 degrees tell them.
+        // Over the whole motion, by the extreme transmission angles, as accurately as samples every 5 degrees show
+        // them.
         if seed % 10 == 0 {
             for of in made.solver.transmission() {
                 let worst = of.deviation().to_radians().cos();
@@ -63,23 +64,23 @@ fn thousand(name: &str) {
 }
 
 #[test]
-fn a_thousand_four_bars_turn_fully() {
+fn thousand_four_bar_exercises_turn_fully() {
     thousand("four-bar");
 }
 
 #[test]
-fn a_thousand_slider_cranks_turn_fully() {
+fn thousand_slider_crank_exercises_turn_fully() {
     thousand("slider-crank");
 }
 
 #[test]
-fn a_thousand_presses_turn_fully() {
+fn thousand_press_exercises_turn_fully() {
     thousand("press");
 }
 
-/// Every preset has exercises, and each is a scene that opens as it was left.
+/// Every preset has exercises that move as the preset does and are equal for equal seeds.
 #[test]
-fn every_preset_has_exercises() {
+fn every_preset_has_reproducible_exercises() {
     for preset in presets::all() {
         let (scene, solver) = open(preset.name);
         let maker = ExerciseMaker::new(&scene, &solver);
@@ -93,9 +94,9 @@ fn every_preset_has_exercises() {
     }
 }
 
-/// The exercise of a seed never changes: sheets that were handed out stay what they were.
+/// The exercise of a seed never changes, so that sheets already handed out stay valid.
 #[test]
-fn a_seed_keeps_its_exercise() {
+fn seed_7_gives_known_four_bar_exercise() {
     let (scene, solver) = open("four-bar");
     let made = ExerciseMaker::new(&scene, &solver)
         .exercise(7, &titles())
@@ -125,7 +126,7 @@ fn a_seed_keeps_its_exercise() {
 }
 
 #[test]
-fn a_scene_without_lengths_has_none() {
+fn scene_without_lengths_has_no_exercises() {
     let text = "[ground]\nA = [0, 0]\n[driver]\nlink = \"r\"\nangle = 1\n\
         [links]\nr = { points = { A = [0, 0] } }\n";
     let scene = Scene::parse(text, "test").unwrap();
@@ -134,9 +135,9 @@ fn a_scene_without_lengths_has_none() {
     assert!(maker.exercise(1, &titles()).is_none());
 }
 
-/// What follows from a formula goes on to do so: the parameter is drawn.
+/// Values keep their formulas; the parameter is drawn instead.
 #[test]
-fn formulas_stay_in_exercises() {
+fn exercises_keep_formulas() {
     let text = presets::find("four-bar").unwrap().text;
     let text = text.replacen("[ground]", "[parameters]\na = 100\n[ground]", 1);
     let text = text.replacen("length = 100", "length = \"a\"", 1);

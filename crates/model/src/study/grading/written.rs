@@ -200,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn commas_and_points_are_read_as_they_are_meant() {
+    fn read_accepts_decimal_and_thousands_separators() {
         for (text, expected) in [
             ("29.38", (29.38, 4, 0.01)),
             ("29,38", (29.38, 4, 0.01)),
@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn too_few_digits_count_as_three() {
+    fn unit_of_clamps_digits_to_3_and_6() {
         let (rough, _) = figure("28");
         assert!((rough.unit_of(3, 6) - 0.1).abs() < 1e-12);
         let (fine, _) = figure("28.02517077");
@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn a_unit_may_stand_behind_a_figure() {
+    fn read_splits_off_trailing_unit() {
         for (text, unit) in [
             ("8262.36 rad/s²", "rad/s²"),
             ("345.5°", "°"),
@@ -266,7 +266,7 @@ mod tests {
     }
 
     #[test]
-    fn a_figure_may_mean_more_than_one_thing() {
+    fn readings_include_ambiguous_separators_and_zeros() {
         let readings = |text| -> Vec<(f64, i32)> {
             let all = figure(text).0.readings();
             all.map(|one| (one.value, one.digits)).collect()
@@ -290,7 +290,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn nothing_that_is_written_ends_in_a_panic(text in ".{0,80}") {
+        fn readings_of_any_text_are_finite(text in ".{0,80}") {
             if let Some((written, _)) = WrittenFigure::read(&text) {
                 prop_assert!(written.readings().all(|one| one.value.is_finite()));
             }

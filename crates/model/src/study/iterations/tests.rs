@@ -18,7 +18,7 @@ fn four_bar() -> LoopSystem {
     }
 }
 
-/// The lecture's angles, by the cosine theorem.
+/// The angles of the lecture, by the law of cosines.
 fn assembly() -> [f64; 2] {
     let m = 350_f64.hypot(100.0 * 60_f64.to_radians().sin());
     let alpha = (100.0 * 60_f64.to_radians().sin()).atan2(350.0);
@@ -32,10 +32,10 @@ fn run(degrees: [f64; 2]) -> NewtonTrace {
     four_bar().newton(&guess, Some(&assembly()))
 }
 
-/// Every iteration against Cramer's rule on the two equations written out, which is another way than the
-/// decomposition of a matrix.
+/// Checks every iteration against Cramer's rule for the two equations, written out. The solver
+/// decomposes a matrix instead.
 #[test]
-fn every_step_is_what_cramers_rule_gives() {
+fn newton_steps_match_cramers_rule() {
     let trace = run([20.0, 280.0]);
     assert_eq!(trace.outcome, NewtonOutcome::Found);
     let (mut a, mut b) = (20_f64.to_radians(), 280_f64.to_radians());
@@ -56,10 +56,11 @@ fn every_step_is_what_cramers_rule_gives() {
     assert!(last.error.unwrap() < 1e-14 && last.step.is_none());
 }
 
-/// Near the root the digits double: each error is at most a constant times the square of the one before. The
-/// second derivatives are at most r3 and r4, the inverse is at most 1/250/sin(crossing): below 2.
+/// Near the root, the number of correct digits doubles: each error is at most a constant times the
+/// square of the previous one. The second derivatives are at most r3 and r4, and the inverse is at
+/// most 1/250/sin(crossing): the constant is below 2.
 #[test]
-fn errors_are_squared_from_step_to_step() {
+fn newton_errors_converge_quadratically() {
     let errors: Vec<f64> = run([20.0, 280.0])
         .iterations
         .iter()
@@ -72,10 +73,10 @@ fn errors_are_squared_from_step_to_step() {
 }
 
 #[test]
-fn a_guess_below_the_line_of_pivots_finds_the_other_assembly() {
+fn guess_below_pivot_line_finds_other_assembly() {
     let trace = run([-60.0, 40.0]);
     assert_eq!(trace.outcome, NewtonOutcome::OtherAssembly);
-    // The mirror image of the triangle: beta and gamma to the other side.
+    // The mirrored triangle: beta and gamma on the other side.
     let m = (50.0 * 3_f64.sqrt()).atan2(350.0);
     let mirrored = assembly().map(|theta| -2.0 * m - theta);
     let last = &trace.iterations.last().unwrap().values;
@@ -83,7 +84,7 @@ fn a_guess_below_the_line_of_pivots_finds_the_other_assembly() {
 }
 
 #[test]
-fn parallel_arms_have_no_inverse() {
+fn parallel_arms_are_singular() {
     for r4 in [20.0, 200.0] {
         let trace = run([20.0, r4]);
         assert_eq!(trace.outcome, NewtonOutcome::Singular(0));
@@ -92,15 +93,15 @@ fn parallel_arms_have_no_inverse() {
 }
 
 #[test]
-fn nearly_parallel_arms_throw_it_out() {
+fn nearly_parallel_arms_diverge() {
     let trace = run([20.0, 199.99]);
     assert_eq!(trace.outcome, NewtonOutcome::Diverged);
     assert_eq!(trace.iterations.len(), 2);
 }
 
-/// Where the arms do not reach each other there is nothing to find, whatever the guess.
+/// If the arms cannot reach each other, there is no root, whatever the guess.
 #[test]
-fn without_a_root_it_does_not_settle() {
+fn newton_does_not_converge_without_root() {
     let mut system = four_bar();
     system.loops[0].known = Vec2::new(-600.0, 0.0);
     for r3 in [20.0_f64, 70.0, 130.0] {
@@ -117,7 +118,7 @@ fn without_a_root_it_does_not_settle() {
 }
 
 #[test]
-fn the_derivatives_are_those_of_the_residuals() {
+fn jacobian_matches_differences_of_residuals() {
     let system = LoopSystem {
         loops: vec![LoopSum {
             known: Vec2::new(3.0, -1.0),
@@ -150,9 +151,9 @@ fn the_derivatives_are_those_of_the_residuals() {
     }
 }
 
-/// The middle of the bracket halves its distance; the root of x^2 - 2 by hand.
+/// Each step halves the bracket. The values for x^2 - 2 were computed by hand.
 #[test]
-fn halving_keeps_the_root_between_its_ends() {
+fn bisection_keeps_root_between_its_ends() {
     for (a, b) in [(1.0, 2.0), (2.0, 1.0)] {
         let bisection = Bisection::of(a, b, 1e-6, |x| x * x - 2.0);
         assert_eq!(bisection.halvings[0].middle, 1.5);
@@ -168,7 +169,7 @@ fn halving_keeps_the_root_between_its_ends() {
 }
 
 #[test]
-fn without_a_change_of_sign_nothing_is_halved() {
+fn bisection_needs_a_sign_change() {
     assert_eq!(Bisection::of(2.0, 3.0, 1e-6, |x| x * x - 2.0).root(), None);
     assert_eq!(Bisection::of(-3.0, 3.0, 1e-6, |x| x * x - 2.0).root(), None);
     assert_eq!(Bisection::of(0.0, 3.0, 1e-6, |x| x).halvings.len(), 23);

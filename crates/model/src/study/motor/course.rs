@@ -172,7 +172,7 @@ mod tests {
     };
 
     #[test]
-    fn a_turning_driver_goes_round_either_way() {
+    fn full_turn_path_runs_in_either_direction() {
         let range = Range::Full { period: 360.0 };
         let up = Course::new(range, 2, false, &[]);
         assert_eq!((up.length(), up.place(400.0).at), (720.0, 400.0));
@@ -186,7 +186,7 @@ mod tests {
     }
 
     #[test]
-    fn a_limited_driver_goes_there_and_back() {
+    fn limited_path_runs_there_and_back() {
         for dead in [&[][..], &[30.0]] {
             for falls in [false, true] {
                 let course = Course::new(LIMITED, 1, falls, dead);
@@ -200,7 +200,7 @@ mod tests {
                     "{places:?}"
                 );
                 assert!(!places[0].back && places[1].back);
-                // The weight is the slope of the coordinate over the way.
+                // The weight is the derivative of the coordinate by the travel.
                 let slope = course.place(ways[0] + 1e-4).at - course.place(ways[0] - 1e-4).at;
                 assert!((slope / 2e-4 - places[0].weight).abs() < 1e-7);
                 assert_eq!(places[0].weight < 0.0, falls);

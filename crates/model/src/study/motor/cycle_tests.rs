@@ -37,13 +37,13 @@ fn near(value: f64, exact: f64) {
 }
 
 #[test]
-fn a_wave_has_the_figures_of_the_textbooks() {
+fn cosine_torque_matches_textbook_formulas() {
     let shift = 20.0;
     let cycle = round(&[], |at| 3.0 + 5.0 * ((at - shift) * DEGREE).cos());
     let all = cycle.all;
     near(all.mean.unwrap(), 3.0);
     near(all.rms.unwrap(), (9.0_f64 + 12.5).sqrt());
-    // It is positive until cos u = -3/5.
+    // The torque is positive until cos u = -3/5.
     let u = (-0.6_f64).acos();
     near(all.put_in.unwrap(), 2.0 * (3.0 * u + 5.0 * u.sin()));
     near(
@@ -64,7 +64,7 @@ fn a_wave_has_the_figures_of_the_textbooks() {
 }
 
 #[test]
-fn a_driver_that_turns_backwards_does_the_work_of_the_opposite_torque() {
+fn backward_driver_does_work_of_opposite_torque() {
     let course = Course::new(TURN, 1, true, &[]);
     let f = |at: f64| torque(-3.0 + 5.0 * (at * DEGREE).cos());
     let cycle = Cycle::new(course, &[], degrees(-2.0), &mut |at, _| f(at));
@@ -80,8 +80,8 @@ fn a_driver_that_turns_backwards_does_the_work_of_the_opposite_torque() {
 }
 
 #[test]
-fn both_rules_find_a_narrow_peak() {
-    // As of a toggle: 1 / (1 + e - cos), with the mean 1 / sqrt((1 + e)^2 - 1).
+fn both_rules_integrate_narrow_peak() {
+    // As for a toggle: 1 / (1 + e - cos), with the mean 1 / sqrt((1 + e)^2 - 1).
     let e: f64 = 1e-4;
     let f = |at: f64| 1.0 / (1.0 + e - ((at - 77.0) * DEGREE).cos());
     let exact = 1.0 / ((1.0 + e).powi(2) - 1.0).sqrt();
@@ -90,7 +90,7 @@ fn both_rules_find_a_narrow_peak() {
     near(cycle.all.mean.unwrap(), exact);
     near(cycle.all.put_in.unwrap(), TAU * exact);
     near(cycle.all.largest.unwrap().value, 1e4);
-    // A mark anywhere, and only the pieces are left.
+    // With a mark anywhere, only the pieces are left.
     let cut = round(&[100.0], f);
     assert!(matches!(cut.rule, Rule::Pieces(_)) && cut.has_converged());
     near(cut.all.mean.unwrap(), exact);
@@ -98,11 +98,11 @@ fn both_rules_find_a_narrow_peak() {
 }
 
 #[test]
-fn bends_and_jumps_are_cut_at() {
+fn integration_splits_at_bends_and_jumps() {
     let bent = round(&[180.0, 0.0], |at| (at * DEGREE).sin().abs());
     near(bent.all.mean.unwrap(), 2.0 / PI);
     near(bent.all.rms.unwrap(), 0.5_f64.sqrt());
-    // A ramp to half a turn, and nothing behind it.
+    // A ramp up to half a turn, and zero after it.
     let ramp = |at: f64| if at < 180.0 { at / 180.0 } else { 0.0 };
     let jumps = round(&[180.0, 0.0], ramp);
     near(jumps.all.mean.unwrap(), 0.25);
@@ -110,7 +110,7 @@ fn bends_and_jumps_are_cut_at() {
     near(jumps.all.largest.unwrap().value, 1.0);
     assert_eq!(jumps.all.largest.unwrap().at, 180.0);
     near(jumps.all.put_in.unwrap(), PI / 2.0);
-    // (x / pi - 1/4) from 0 to pi: least at pi / 4, and the rest above it.
+    // The integral of (x / pi - 1/4) from 0 to pi has its minimum at pi / 4, and grows from there on.
     near(jumps.fluctuation.unwrap().energy, PI * (0.75 * 0.75) / 2.0);
     for cycle in [bent, jumps] {
         assert!(
@@ -122,7 +122,7 @@ fn bends_and_jumps_are_cut_at() {
 }
 
 #[test]
-fn a_bend_that_nobody_told_of_is_found_or_owned_up_to() {
+fn unmarked_bend_is_integrated_or_reported() {
     let cycle = round(&[], |at| ((at - 33.3) * DEGREE).sin().abs());
     let error = (cycle.all.mean.unwrap() - 2.0 / PI).abs();
     assert!(
@@ -134,7 +134,7 @@ fn a_bend_that_nobody_told_of_is_found_or_owned_up_to() {
 }
 
 #[test]
-fn there_and_back_a_spring_gives_back_what_a_damper_does_not() {
+fn cycle_there_and_back_returns_spring_work_only() {
     let range = Range::Limited {
         low: 0.0,
         high: 3.0,
@@ -142,7 +142,7 @@ fn there_and_back_a_spring_gives_back_what_a_damper_does_not() {
     let course = Course::new(range, 1, false, &[]);
     let mut spring = |at: f64, back: bool| torque(2.0 * at - 1.0 + if back { -0.5 } else { 0.5 });
     let cycle = Cycle::new(course, &[], DriverUnits::default(), &mut spring);
-    // There 2 q - 1/2: -1/16 up to 1/4 and then 121/16; back the same of 2 q - 3/2: 9/16 and -81/16.
+    // Forwards 2 q - 1/2: -1/16 up to 1/4 and then 121/16. Backwards 2 q - 3/2: 9/16 and -81/16.
     near(cycle.all.put_in.unwrap(), 121.0 / 16.0 + 9.0 / 16.0);
     near(cycle.all.given_back.unwrap(), 1.0 / 16.0 + 81.0 / 16.0);
     near(cycle.all.mean.unwrap(), 2.0);
@@ -157,7 +157,7 @@ fn there_and_back_a_spring_gives_back_what_a_damper_does_not() {
 }
 
 #[test]
-fn towards_dead_points_work_exists_and_peaks_do_not() {
+fn dead_points_have_work_but_no_peaks() {
     let range = Range::Limited {
         low: -1.0,
         high: 1.0,
@@ -174,7 +174,7 @@ fn towards_dead_points_work_exists_and_peaks_do_not() {
 }
 
 #[test]
-fn the_ground_feels_the_largest_of_a_turning_force() {
+fn shaking_force_and_moment_match_closed_formulas() {
     let course = Course::new(TURN, 1, false, &[]);
     let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         let (s, c) = (at * DEGREE).sin_cos();
@@ -194,7 +194,7 @@ fn the_ground_feels_the_largest_of_a_turning_force() {
 }
 
 #[test]
-fn what_exists_nowhere_has_no_figures() {
+fn cycle_with_missing_states_has_no_results() {
     let course = Course::new(TURN, 1, false, &[]);
     let cycle = Cycle::new(course, &[], degrees(1.0), &mut |at, _| {
         (at < 90.0).then_some(Effort::default())
@@ -204,7 +204,7 @@ fn what_exists_nowhere_has_no_figures() {
 }
 
 #[test]
-fn a_flywheel_keeps_what_it_was_chosen_for() {
+fn flywheel_inertia_gives_requested_fluctuation() {
     let inertia = flywheel_for(10.0, 15.0, 0.02).unwrap();
     near(inertia, 10.0 / (225.0 * 0.02));
     near(fluctuation_with(10.0, 15.0, inertia).unwrap(), 0.02);
@@ -212,7 +212,7 @@ fn a_flywheel_keeps_what_it_was_chosen_for() {
 }
 
 #[test]
-fn a_cycle_can_be_read_anywhere() {
+fn cycle_can_be_evaluated_anywhere() {
     let f = |at: f64| {
         if at < 180.0 {
             at / 180.0

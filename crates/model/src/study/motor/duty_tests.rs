@@ -26,7 +26,7 @@ fn near(value: f64, exact: f64, most: f64) {
     assert!(error <= most, "{value} for {exact}: {error:e}");
 }
 
-/// A slider-crank in line: crank r, rod l in m, w in rad/s; the piston's mass in kg.
+/// An in-line slider-crank: crank r and rod l in m, w in rad/s; the piston's mass in kg.
 const R: f64 = 0.05;
 const L: f64 = 0.16;
 const W: f64 = 200.0;
@@ -72,9 +72,9 @@ fn mean(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 #[test]
-fn a_piston_asks_what_the_textbooks_say() {
+fn piston_inertia_torque_matches_textbook() {
     let duty = duty(&slider_crank(""));
-    // m x' x'' w^2: what inertia asks of the crank.
+    // m x' x'' w^2: the crank's torque due to inertia.
     let torque = |theta: f64| {
         let [first, second] = piston(theta);
         M * first * second * W * W
@@ -88,7 +88,7 @@ fn a_piston_asks_what_the_textbooks_say() {
         near(effort.torque, torque(at.to_radians()), 1e-11 * size);
         near(effort.parts[2], effort.torque, 1e-12 * size);
     }
-    // Over a whole turn inertia takes nothing.
+    // Over a whole turn, inertia does no net work.
     near(cycle.all.mean.unwrap(), 0.0, 1e-13 * size);
     near(cycle.all.work().unwrap(), 0.0, 1e-12 * size);
     near(
@@ -96,7 +96,7 @@ fn a_piston_asks_what_the_textbooks_say() {
         mean(|t| torque(t).powi(2)).sqrt(),
         1e-11 * size,
     );
-    // Twice a turn it gives the piston's energy at its fastest, and takes it back.
+    // Twice a turn, the piston's maximum kinetic energy is put in and given back.
     let fastest = (0..720_000).map(|k| piston(f64::from(k) * PI / 360_000.0)[0].abs());
     let fastest = fastest.fold(0.0, f64::max) * W;
     near(
@@ -109,7 +109,7 @@ fn a_piston_asks_what_the_textbooks_say() {
         0.5 * M * fastest * fastest,
         1e-8 * size,
     );
-    // The ground feels what accelerates the piston, most at the outer dead centre: m r w^2 (1 + r / l).
+    // The ground bears the piston's inertia force. It is largest at the outer dead centre: m r w^2 (1 + r / l).
     let shaking = cycle.shaking;
     near(
         shaking.force.unwrap().value,
@@ -126,7 +126,7 @@ fn a_piston_asks_what_the_textbooks_say() {
 }
 
 #[test]
-fn gas_in_a_four_stroke_is_worked_for_over_two_turns() {
+fn four_stroke_gas_load_has_a_cycle_of_two_turns() {
     let gas = "[[loads]]
 point = \"C\"
 force = [-1000, 0]
@@ -153,7 +153,7 @@ over = [[0, 4], [180, 0.5], [540, 0.1], [720, 4]]
         let at = f64::from(k) * 720.0 / 101.0;
         near(cycle.at(at).unwrap().parts[0], torque(at), 1e-11 * size);
     }
-    // Work of a force on a piston, by Gauss's rule with four places on 2000 pieces between the knots.
+    // The work of a force on a piston, by Gauss's rule with four points on 2000 pieces between the knots.
     let work: f64 = [[0.0, 180.0], [180.0, 540.0], [540.0, 720.0]]
         .iter()
         .map(|[from, to]| {
@@ -182,7 +182,7 @@ over = [[0, 4], [180, 0.5], [540, 0.1], [720, 4]]
 }
 
 #[test]
-fn over_a_whole_cycle_gravity_and_inertia_take_nothing() {
+fn gravity_and_inertia_do_no_net_work_per_cycle() {
     for name in ["four-bar-load", "engine", "press-ram", "toggle-press"] {
         let (scene, solver) = preset(name);
         let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
@@ -200,7 +200,7 @@ fn over_a_whole_cycle_gravity_and_inertia_take_nothing() {
 }
 
 #[test]
-fn peaks_are_where_the_solver_has_them() {
+fn peaks_match_dense_solver_samples() {
     for name in ["four-bar-load", "engine", "press-ram", "toggle-press"] {
         let (scene, solver) = preset(name);
         let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
@@ -226,7 +226,7 @@ fn peaks_are_where_the_solver_has_them() {
             lowest.value <= least + 1e-11 * size && least - lowest.value < 3e-2 * size,
             "{name}"
         );
-        // Where a press begins or ends it jumps: only one side has the value.
+        // The torque jumps where a press begins or ends: only one side has the value.
         let sides = [-1e-7, 0.0, 1e-7].map(|by| (torque(largest.at + by) - largest.value).abs());
         let nearest = sides.into_iter().fold(f64::MAX, f64::min);
         assert!(nearest < 1e-6 * size, "{name} {nearest:e} of {size}");
@@ -234,7 +234,7 @@ fn peaks_are_where_the_solver_has_them() {
 }
 
 #[test]
-fn metres_for_millimetres_leave_every_figure() {
+fn results_do_not_depend_on_length_unit() {
     let (scene, solver) = preset("four-bar-load");
     let one = Duty::new(&scene.mechanism, &solver, None)
         .unwrap()
@@ -271,12 +271,12 @@ fn metres_for_millimetres_leave_every_figure() {
 }
 
 #[test]
-fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
+fn excavator_boom_duty_handles_dead_points() {
     let (scene, solver) = preset("excavator-boom");
     let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
     let cycle = &duty.cycle;
     assert_eq!(duty.dead_points.len(), 2);
-    // Accelerations have no bound there: nothing can be said of the whole, but of load and gravity.
+    // Accelerations are unbounded there: only load and gravity have results, the whole has none.
     assert!(duty.runs_dead && cycle.all == DriveEffort::default());
     let [load, gravity, inertia] = cycle.parts;
     assert_eq!(inertia, DriveEffort::default());
@@ -284,7 +284,7 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
     for part in [load, gravity] {
         near(part.work().unwrap(), 0.0, 1e-9 * part.put_in.unwrap());
     }
-    // In each state everything exists but at the dead points, inertia too.
+    // Every state has all parts, including inertia, except at the dead points.
     let steps: Vec<Step> = duty.steps(100).map(|(_, step)| step).collect();
     for (k, step) in steps.iter().enumerate() {
         let is_dead = k % 50 == 0;
@@ -312,7 +312,7 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
     let ends = Duty::new(&scene.mechanism, &solver, Some((1.8, 2.8))).unwrap();
     let ends: Vec<f64> = ends.steps(4).map(|(_, step)| step.at).collect();
     assert_eq!([ends[0], ends[2], ends[4]], [1.8, 2.8, 1.8]);
-    // A part of the stroke has everything, and what is lifted is the potential energy.
+    // A part of the stroke has all results. The work on the load is its potential energy.
     let part = Duty::new(&scene.mechanism, &solver, Some((1.8, 2.8))).unwrap();
     let mut state = solver.state();
     let point = |name: &str| {
@@ -340,7 +340,7 @@ fn a_boom_is_lifted_and_let_down_between_its_dead_points() {
 }
 
 #[test]
-fn a_change_point_is_named_and_passed() {
+fn change_points_are_listed_and_crossed() {
     let text = presets::find("parallelogram").unwrap().text;
     let (bare, bare_solver) = of(text);
     assert!(
@@ -355,14 +355,14 @@ fn a_change_point_is_named_and_passed() {
         "{text}\n[[loads]]\nlink = \"{link}\"\ntorque = 3\n"
     ));
     assert_eq!(duty.change_points.len(), 2, "{:?}", duty.change_points);
-    // Both cranks turn alike: the driver holds just that.
+    // Both cranks turn alike: the driver balances exactly the load.
     near(duty.cycle.all.largest.unwrap().value, -3.0, 1e-9);
     near(duty.cycle.all.least.unwrap().value, -3.0, 1e-9);
     near(duty.cycle.all.work().unwrap(), -6.0 * PI, 1e-9);
 }
 
 #[test]
-fn a_motor_is_held_against_the_worst_instant() {
+fn motor_fit_compares_rms_and_worst_torque() {
     let (scene, solver) = preset("four-bar-load");
     let duty = Duty::new(&scene.mechanism, &solver, None).unwrap();
     let worst = duty.cycle.all.worst().unwrap().value.abs();

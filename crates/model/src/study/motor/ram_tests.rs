@@ -32,7 +32,7 @@ const E: f64 = 50.0;
 const OMEGA: f64 = 4.0 * std::f64::consts::PI;
 
 #[test]
-fn an_offset_slider_crank_has_the_stroke_and_the_ratio_of_the_textbooks() {
+fn offset_slider_crank_ram_matches_textbook_formulas() {
     let (scene, solver) = opened("offset-slider-crank");
     let mut ram = ram(&scene, &solver);
     assert!(!ram.end.is_known, "a horizontal guide has no lower end");
@@ -86,7 +86,7 @@ fn an_offset_slider_crank_has_the_stroke_and_the_ratio_of_the_textbooks() {
 }
 
 #[test]
-fn a_driver_that_turns_backwards_swaps_closing_and_opening() {
+fn backward_driver_swaps_closing_and_opening() {
     let (scene, solver) = opened("offset-slider-crank");
     let text = presets::find("offset-slider-crank").unwrap().text;
     let (back_scene, back_solver) = of(&text.replace("120 rpm", "-120 rpm"));
@@ -124,14 +124,14 @@ fn press_ram(theta: f64) -> f64 {
 }
 
 #[test]
-fn the_ram_of_a_press_follows_its_closed_formula() {
+fn press_ram_follows_closed_formula() {
     let (scene, solver) = opened("press-ram");
     let mut ram = ram(&scene, &solver);
     assert!(ram.end.is_known && ram.end.end == StrokeEnd::Least);
     for centre in [ram.bottom, ram.top] {
         let theta = centre.at.to_radians();
         near(press_ram(theta), centre.position, 1e-11);
-        // Level there: a step either way changes it by its square.
+        // Stationary: a step to either side changes the position by the step's square.
         let [before, behind] = [-1e-4, 1e-4].map(|h| press_ram(theta + h) - centre.position);
         near(before, behind, 1e-9);
         assert!(before * behind > 0.0);
@@ -147,7 +147,7 @@ fn the_ram_of_a_press_follows_its_closed_formula() {
         1e-11,
     );
     assert!(closing.velocity < 0.0);
-    // Virtual work: the force of the ram by its way is the work of the torque.
+    // Virtual work: the ram's force times its displacement is the work of the torque.
     let slope = (press_ram(closing.at.to_radians() + 1e-6)
         - press_ram(closing.at.to_radians() - 1e-6))
         / 2e-6;
@@ -155,7 +155,7 @@ fn the_ram_of_a_press_follows_its_closed_formula() {
 }
 
 #[test]
-fn a_toggle_press_dwells_at_its_bottom() {
+fn toggle_press_dwells_at_bottom() {
     let (scene, solver) = opened("toggle-press");
     let mut ram = ram(&scene, &solver);
     let press = |theta: f64| {
@@ -181,12 +181,12 @@ fn a_toggle_press_dwells_at_its_bottom() {
         30.0 * f64::from(ram.strokes),
         1e-12,
     );
-    // The whole stroke is within a tolerance of it.
+    // A tolerance larger than the stroke contains all of it.
     near(ram.dwell(2.0 * ram.stroke).unwrap().way, 360.0, 1e-12);
 }
 
 #[test]
-fn a_ram_of_a_limited_driver_goes_there_and_back() {
+fn ram_of_limited_driver_moves_there_and_back() {
     // A rod of 100 pushed up by a slide along x: y = sqrt(100^2 - x^2), at 50 mm/s.
     let text = "unit = \"mm\"
 [driver]
@@ -214,7 +214,7 @@ Q = [0, 80]
 }
 
 #[test]
-fn what_is_no_ram_says_why() {
+fn slide_on_moving_link_is_no_ram() {
     let (scene, solver) = opened("slotted-lever");
     let slide = scene.mechanism.slide_ids().next().unwrap();
     let end = RamEnd::of(&scene.mechanism, slide);

@@ -412,12 +412,12 @@ mod tests {
         assert!((found - exact).abs() < most, "{found} for {exact}");
     }
 
-    /// A wheel of inertia J indexed by h = 90 deg in T = 0.5 s by a cycloid, back harmonically in 0.25 s: the torque
-    /// is J times the acceleration. Its peaks are 2 pi h / T^2 J and pi^2 h / (2 T'^2) J; of the squares of a sine
-    /// and a cosine the means over their times are halves of those of the peaks. The speed's peak is 2 h / T, and
-    /// the work to it J w^2 / 2, given back again.
+    /// A wheel of inertia J is indexed by h = 90 deg in T = 0.5 s by a cycloid, and back
+    /// harmonically in T' = 0.25 s. The torque is J times the acceleration, with peaks of
+    /// 2 pi h / T^2 J and pi^2 h / (2 T'^2) J. The mean square of a sine or cosine is half the square
+    /// of its peak. The peak speed is 2 h / T; the work up to it is J w^2 / 2, which is given back.
     #[test]
-    fn a_wheel_that_is_indexed_takes_what_its_inertia_asks() {
+    fn indexed_wheel_matches_closed_formulas() {
         let found = duty(
             "link = \"r2\"\nangle = 0\nmotion = [{ law = \"cycloidal\", to = 90, time = 0.5 }, \
              { dwell = 0.25 }, { law = \"harmonic\", to = 0, time = 0.25 }]",
@@ -448,11 +448,12 @@ mod tests {
         assert!(found.has_converged(), "{}", found.error);
     }
 
-    /// 100 N m between two coordinates and nothing beside them: the sums neither overshoot at the jumps nor smear them.
-    /// Turned by 360 deg in 2 s at a constant speed, a quarter of the period is under load. The load comes again with
-    /// every turn, as two turns in one motion show; a dwell at a jump is under what begins there.
+    /// A load of 100 N m between two coordinates and none elsewhere: the integrals neither
+    /// overshoot at the jumps nor smear them. At a constant speed of 360 deg in 2 s, a quarter of
+    /// the period is under load. The load repeats with every turn, as two turns in one motion show.
+    /// A dwell at a jump has the load that begins there.
     #[test]
-    fn a_load_that_jumps_on_the_way_is_cut_there() {
+    fn load_jump_splits_the_integration() {
         let load = "[links]\nr2 = { from = \"A\", to = \"B\", length = 1 }\n[[loads]]\nlink = \"r2\"\n\
              torque = -100\nover = [[0, 0], [100, 0], [100, 1], [190, 1], [190, 0], [360, 0]]";
         for (motion, under, work) in [
@@ -493,15 +494,16 @@ mod tests {
         );
         near(found.torque[0].value, 100.0);
         near(found.torque[1].value, 0.0);
-        // 50 deg against it, and as far with it.
+        // 50 deg against the load, and 50 deg with it.
         near(found.energy[0], 100.0 * 50.0_f64.to_radians());
         near(found.energy[1], 100.0 * 50.0_f64.to_radians());
         assert!(found.has_converged(), "{}", found.error);
     }
 
-    /// A wheel of inertia J by a trapezoid of h in T with ramps r T: J h / (r (1 - r) T^2) on them and nothing between.
+    /// A wheel of inertia J is moved by h in T, by a trapezoid with ramps r T. The torque is
+    /// J h / (r (1 - r) T^2) on the ramps and zero between them.
     #[test]
-    fn a_trapezoid_is_cut_at_its_ramps() {
+    fn trapezoid_motion_is_split_at_its_ramps() {
         let found = duty(
             "link = \"r2\"\nangle = 0\nmotion = [{ law = \"trapezoid\", ramp = 0.2, to = 360, time = 1.5 }]",
             "[links]\nr2 = { from = \"A\", to = \"B\", length = 1, com = [0, 0], mass = 1, inertia = 3 }",
@@ -514,9 +516,9 @@ mod tests {
         assert!(found.has_converged(), "{}", found.error);
     }
 
-    /// A torque of 6 N m against a link that is turned by 360 deg in 2 s: 6 N m all along, and 6 pi W.
+    /// A torque of 6 N m against a link that turns by 360 deg in 2 s: always 6 N m, and 6 pi W.
     #[test]
-    fn against_a_constant_load_power_is_torque_by_speed() {
+    fn constant_load_power_is_torque_times_speed() {
         let found = duty(
             "link = \"r2\"\nangle = 0\nmotion = [{ law = \"constant\", to = 360, time = 2 }]",
             "[links]\nr2 = { from = \"A\", to = \"B\", length = 1 }\n[[loads]]\nlink = \"r2\"\ntorque = -6",

@@ -67,10 +67,11 @@ fn links(scene: &Scene, by: f64) -> Tolerances {
     }
 }
 
-/// The shift of the pin between coupler and rocker per unit of length, each length 1 % longer, in the mean over the
-/// crank angles 0.1, 0.2 ... 6.3 rad: 0.742633, 1.105773 and 1.105910 for crank, coupler and rocker are published.
+/// The mean shift of the pin between coupler and rocker per unit of length, with each length 1 %
+/// longer, over the crank angles 0.1, 0.2 ... 6.3 rad. The published values are 0.742633, 1.105773
+/// and 1.105910 for crank, coupler and rocker.
 #[test]
-fn the_published_shift_of_a_four_bars_pin() {
+fn four_bar_pin_shift_matches_published_values() {
     let (scene, solver) = opened(FOUR_BAR);
     let pin = scene
         .mechanism
@@ -103,9 +104,10 @@ fn the_published_shift_of_a_four_bars_pin() {
     }
 }
 
-/// At a dead centre in line 0.1 on crank and rod is 0.2 at worst and 0.1414 by the root of the sum of squares.
+/// At an in-line dead centre, 0.1 on crank and rod is 0.2 at worst, and 0.1414 by the root of the
+/// sum of squares.
 #[test]
-fn at_a_dead_centre_in_line_both_lengths_add_up() {
+fn tolerances_add_up_at_dead_centre() {
     let (scene, solver) = opened(SLIDER_CRANK);
     let ask = figures(&scene, &["ram.length"]);
     let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
@@ -123,9 +125,10 @@ fn at_a_dead_centre_in_line_both_lengths_add_up() {
     );
 }
 
-/// Away from it the worst is found by the closed formula at the four corners: x = r cos t + sqrt(l^2 - r^2 sin^2 t).
+/// Elsewhere the worst case follows from the closed formula at the four corners:
+/// x = r cos t + sqrt(l^2 - r^2 sin^2 t).
 #[test]
-fn the_worst_is_that_of_the_corners() {
+fn worst_case_matches_closed_formula_at_corners() {
     let (scene, solver) = opened(SLIDER_CRANK);
     let ask = figures(&scene, &["ram.length"]);
     let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.5), &ask).unwrap();
@@ -144,10 +147,11 @@ fn the_worst_is_that_of_the_corners() {
     }
 }
 
-/// An even spread of crank and rod at the dead centre in line: the sum of two even numbers has the variance
-/// 2 t^2 / 3, normal ones 2 t^2 / 9. The same seed gives the same machines, another one others.
+/// Random crank and rod at the in-line dead centre: the sum of two uniform numbers has the variance
+/// 2 t^2 / 3, that of two normal ones 2 t^2 / 9. Equal seeds give equal machines, different seeds
+/// different ones.
 #[test]
-fn samples_have_the_spread_that_they_must_have() {
+fn samples_have_expected_spread() {
     let (scene, solver) = opened(SLIDER_CRANK);
     let ask = figures(&scene, &["ram.length"]);
     let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
@@ -172,9 +176,10 @@ fn samples_have_the_spread_that_they_must_have() {
     }
 }
 
-/// A pin of clearance c in the rod's end: at the dead centre in line it reaches c further, and is as much as a length.
+/// A pin of clearance c in the rod's end: at the in-line dead centre, the ram reaches c further.
+/// The clearance counts as much as a length.
 #[test]
-fn a_pin_in_its_hole_is_off_in_any_direction() {
+fn pin_clearance_counts_like_a_length_at_dead_centre() {
     let (scene, solver) = opened(SLIDER_CRANK);
     let ask = figures(&scene, &["ram.length"]);
     let rod = scene.mechanism.link_ids().nth(1).unwrap();
@@ -197,9 +202,9 @@ fn a_pin_in_its_hole_is_off_in_any_direction() {
     assert_eq!(found.contributions[0].of, ToleranceOf::Pin(rod, pin));
 }
 
-/// Where a rod is too short at some corners, that is said, and samples count it.
+/// If the rod is too short at some corners, the result says so, and samples count such machines.
 #[test]
-fn lengths_that_do_not_close_are_told() {
+fn machines_that_cannot_close_are_reported() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.05"));
     let ask = figures(&scene, &["ram.length"]);
     let mut study = ToleranceStudy::new(&scene, &solver, &links(&scene, 0.1), &ask).unwrap();
@@ -215,9 +220,9 @@ fn lengths_that_do_not_close_are_told() {
     assert!((open - 0.28125).abs() < 0.02, "{open}");
 }
 
-/// An enclosure holds every corner, and every sample.
+/// An enclosure contains the worst case in the direction of the derivatives.
 #[test]
-fn balls_hold_all_machines() {
+fn enclosures_contain_worst_case_of_derivatives() {
     let preset = crate::scene::presets::find("press").unwrap();
     let (scene, solver) = opened(preset.text);
     let ask: Vec<_> = Catalogue::new(&scene)
@@ -262,9 +267,10 @@ fn balls_hold_all_machines() {
     assert!(held > 40, "{held}");
 }
 
-/// The offsets of a plot are those of the closed formula where they are worked out, and between them go straight.
+/// The computed offsets of a band match the closed formula. Those between are interpolated
+/// linearly.
 #[test]
-fn a_band_has_the_offsets_of_the_formula() {
+fn band_offsets_match_closed_formula() {
     let (scene, solver) = opened(SLIDER_CRANK);
     let ask = figures(&scene, &["ram.length"]);
     let by = 0.5;
@@ -287,9 +293,10 @@ fn a_band_has_the_offsets_of_the_formula() {
     }
 }
 
-/// Pins of crank, rod and slide at the dead centre in line: each moves the ram by its clearance at the most.
+/// Pins of crank, rod and slide at the in-line dead centre: each moves the ram by at most its
+/// clearance.
 #[test]
-fn loose_pins_add_up_in_line() {
+fn pin_clearances_add_up_at_dead_centre() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("unit", "clearance = 0.05\nunit"));
     assert_eq!(scene.tolerances().clearances.len(), 3);
     let ask = figures(&scene, &["ram.length"]);
@@ -307,10 +314,10 @@ fn loose_pins_add_up_in_line() {
     );
 }
 
-/// A crank-rocker that is 0.1 from a change point: with three lengths off evenly by 0.1 the sum of three even numbers
-/// within 1 must not be below -1, which one of six is (Irwin and Hall).
+/// A crank-rocker 0.1 from a change point, with three lengths uniformly off by at most 0.1. The sum
+/// of three uniform numbers within 1 must not be below -1, which one in six is (Irwin and Hall).
 #[test]
-fn one_of_six_changes_its_class() {
+fn one_machine_in_six_changes_its_class() {
     let text = FOUR_BAR
         .replace("[3.5, 0]", "[449.9, 0]")
         .replace("length = 1 ", "length = 100 ")
@@ -330,10 +337,11 @@ fn one_of_six_changes_its_class() {
     assert!((changed - 1.0 / 6.0).abs() < 4.7e-3, "{changed}");
 }
 
-/// The stroke of an offset slider-crank is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2): its worst case at the corners
-/// of r, l and e, its first order by the derivatives of that, and the spread of samples.
+/// The stroke of an offset slider-crank is sqrt((l + r)^2 - e^2) - sqrt((l - r)^2 - e^2). Checks
+/// its worst case at the corners of r, l and e, its first order by the derivatives, and the spread
+/// of samples.
 #[test]
-fn a_stroke_has_tolerances_too() {
+fn stroke_tolerances_match_closed_formula() {
     let text = SLIDER_CRANK.replace("through = \"A\"", "through = [0, 20]");
     let (scene, solver) = opened(&text);
     let stroke = |r: f64, l: f64, e: f64| {
@@ -385,9 +393,9 @@ fn a_stroke_has_tolerances_too() {
     assert_eq!(samples.open, 0.0);
 }
 
-/// Where a machine turns less than fully at some corners, each is opened as it was made.
+/// If the crank does not turn fully at some corners, each machine is opened with its own lengths.
 #[test]
-fn machines_at_a_change_of_class_are_opened_one_by_one() {
+fn range_tolerance_sees_machines_that_turn_less() {
     // Grashof's condition is met by 0.02 alone: s + l = 4.5, p + q = 4.52.
     let text = FOUR_BAR.replace("length = 3 }", "length = 2.52 }");
     let (scene, solver) = opened(&text);
@@ -400,10 +408,11 @@ fn machines_at_a_change_of_class_are_opened_one_by_one() {
     assert!(found.worst.low < 359.0, "{found:?}");
 }
 
-/// In line at the dead centre an offset of the guide is worst in the middle of its tolerance: both lengths long and the
-/// guide through the pivot. That is no corner, and is not called one.
+/// At the in-line dead centre, an offset of the guide is worst in the middle of its tolerance: with
+/// both lengths long and the guide through the pivot. That is no corner, and is not reported as
+/// one.
 #[test]
-fn a_worst_case_inside_the_box_is_an_estimate() {
+fn worst_case_inside_box_is_marked_as_searched() {
     let text = SLIDER_CRANK.replace("through = \"A\"", "through = [0, 0]");
     let (scene, solver) = opened(&text);
     let slide = scene.mechanism.slide_ids().next().unwrap();
@@ -424,9 +433,10 @@ fn a_worst_case_inside_the_box_is_an_estimate() {
     );
 }
 
-/// At 90 deg C stands at sqrt(l^2 - r^2): where a rod may be shorter than the crank, the least is 0, as at no corner.
+/// At 90 deg, C is at sqrt(l^2 - r^2). If the rod can be shorter than the crank, the minimum is 0,
+/// which no corner has.
 #[test]
-fn where_a_corner_does_not_close_the_worst_is_at_the_edge() {
+fn worst_case_is_at_edge_when_corner_cannot_close() {
     let (scene, solver) = opened(&SLIDER_CRANK.replace("150", "50.5"));
     let ask = figures(&scene, &["C.x"]);
     let (low, high) = (0.0, (51.5_f64.powi(2) - 49.0_f64.powi(2)).sqrt());
@@ -435,7 +445,7 @@ fn where_a_corner_does_not_close_the_worst_is_at_the_edge() {
     assert_eq!((worst.kind, worst.fails), (WorstKind::AtEdge, true));
     assert!((worst.low - low).abs() < 1e-4, "{worst:?}");
     assert!((worst.high - high).abs() < 1e-9, "{worst:?}");
-    // A loose pin as well: then it is what the derivatives point to, as far as that closes.
+    // With a loose pin, too, the worst case follows the derivatives as far as the machine closes.
     let mut tolerances = links(&scene, 1.0);
     let rod = scene.mechanism.link_ids().nth(1).unwrap();
     let pin = scene.mechanism.link(rod).members[1].point;
@@ -447,10 +457,10 @@ fn where_a_corner_does_not_close_the_worst_is_at_the_edge() {
     assert!(worst.high >= high, "{worst:?}");
 }
 
-/// How far a pin is from where another machine of the same tolerances has it: 0 with that machine's lengths, which are
-/// no place of the grid, with few lengths and with many.
+/// The distance of a pin from its position in another machine within the tolerances. It is 0 with
+/// that machine's lengths, which are no point of the grid. Checks few lengths and many.
 #[test]
-fn a_figure_that_is_least_inside_the_box_is_searched_for() {
+fn minimum_inside_box_is_found_by_search() {
     let jansen = crate::scene::presets::find("jansen-leg").unwrap().text;
     for (text, pin, by) in [(FOUR_BAR, "C", 0.05), (jansen, "T", 0.2)] {
         let (scene, solver) = opened(text);
@@ -489,9 +499,9 @@ fn a_figure_that_is_least_inside_the_box_is_searched_for() {
     }
 }
 
-/// A band costs no more than somebody who edits would notice: with all lengths of many bars it is the first order.
+/// A band must not slow down editing: with all lengths of many bars it is only of first order.
 #[test]
-fn a_quick_band_is_limited_by_its_machines() {
+fn quick_band_kind_depends_on_number_of_machines() {
     let kind = |text: &str, point: &str, by: &dyn Fn(&Scene) -> Tolerances, places: usize| {
         let (scene, solver) = opened(text);
         let ask = figures(&scene, &[&format!("{point}.x")]);
@@ -513,7 +523,7 @@ fn a_quick_band_is_limited_by_its_machines() {
     assert_eq!(kind(FOUR_BAR, "C", &of_all, 721), BandKind::Worst);
     assert_eq!(kind(jansen, "T", &of_links, 721), BandKind::Worst);
     assert_eq!(kind(jansen, "T", &of_all, 721), BandKind::RootSumSquare);
-    // Of one place all corners are few.
+    // For one coordinate, all corners are affordable.
     assert_eq!(kind(jansen, "T", &of_all, 1), BandKind::Worst);
 }
 
@@ -529,10 +539,11 @@ fn turned(by: f64) -> String {
         .replace("angle = 60", &format!("angle = {}", 60.0 + by))
 }
 
-/// A machine that is turned in the plane has the same tolerances: what used to jump by 360 deg where a direction or a
-/// place of the nominal machine is told just beside the seam of a turn. The nominal figures are 0.001 to either side.
+/// A machine rotated in the plane has the same tolerances. They used to jump by 360 deg where a
+/// direction or a coordinate of the nominal machine is close to a full turn. The nominal values are
+/// 0.001 deg to either side of it.
 #[test]
-fn tolerances_of_directions_do_not_jump_at_a_full_turn() {
+fn direction_tolerances_do_not_jump_at_full_turn() {
     let study = |by: f64, name: &str| {
         let (scene, solver) = opened(&turned(by));
         let figure = crate::study::CycleFigure::parse(name, &Catalogue::new(&scene)).unwrap();

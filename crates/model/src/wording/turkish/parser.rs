@@ -199,7 +199,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_line_that_is_broken_within_a_part_is_broken_before_it() {
+    fn help_is_translated_and_wrapped_parts_are_rejoined() {
         assert_eq!(
             said("  --language  Dil [default: auto] [possible\n      values: tr, en]\n"),
             "  --language  Dil [yoksa: auto]\n      [değerler: tr, en]\n"
@@ -216,7 +216,7 @@ mod tests {
     }
 
     #[test]
-    fn what_the_system_says_keeps_its_number() {
+    fn system_errors_are_translated_with_their_number() {
         let missing = std::io::Error::from_raw_os_error(2);
         assert_eq!(
             of_system(&missing),

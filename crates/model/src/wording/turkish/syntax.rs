@@ -222,9 +222,10 @@ mod tests {
         (message, turkish)
     }
 
-    /// There is no list of all messages: these are common mistakes of people and editors.
+    /// There is no list of all messages of the parser. These are common mistakes of users and
+    /// editors.
     #[test]
-    fn what_befalls_a_file_is_told_in_turkish() {
+    fn common_syntax_errors_are_translated() {
         for text in [
             "a = \"open",
             "a = 'open",
@@ -308,7 +309,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_known_is_quoted() {
+    fn unknown_parser_message_is_quoted() {
         assert_eq!(
             said("a new rule"),
             "TOML okuyucusunun iletisi: \"a new rule\""

@@ -151,7 +151,7 @@ fn sprung(scene: &Scene, chance: &mut SeededChance) -> String {
 }
 
 #[test]
-fn what_the_driver_puts_in_is_what_the_springs_hold() {
+fn driver_work_equals_spring_energy() {
     let mut chance = SeededChance::new(16);
     let mut tried = 0;
     for preset in presets::all() {
@@ -173,7 +173,7 @@ fn what_the_driver_puts_in_is_what_the_springs_hold() {
             "{}: {work:e} of {scale}",
             preset.name
         );
-        // From a way on that is no end: there a dead point may be.
+        // Starts away from the ends, which can be dead points.
         let length = cycle.course.length();
         let held = |way: f64| energy(&scene, &solver, cycle.coordinate(way));
         let first = length / 48.0;
@@ -193,7 +193,7 @@ fn what_the_driver_puts_in_is_what_the_springs_hold() {
     assert!(tried > 10, "{tried}");
 }
 
-/// Returns the duty of a crank of 100 mm, turned by 2 rad/s, with the rest of its scene.
+/// Returns the duty of a crank of 100 mm that turns at 2 rad/s, with the rest of its scene.
 fn crank(rest: &str) -> Duty {
     let text = format!(
         "[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 0\nspeed = \"2 rad/s\"
@@ -212,9 +212,9 @@ fn near(value: Option<f64>, exact: f64) {
     );
 }
 
-/// A stroke of 40 deg at 5 N m takes 5 * 2 pi / 9 J of every turn, which lasts pi s.
+/// A stroke of 40 deg at 5 N m takes 5 * 2 pi / 9 J per turn, which lasts pi s.
 #[test]
-fn a_cutting_stroke_takes_its_torque_over_its_angle() {
+fn cutting_stroke_work_is_torque_times_angle() {
     let cut = |over: &str| {
         crank(&format!(
             "[[loads]]\nlink = \"r2\"\ntorque = -5\nover = {over}\n"
@@ -239,7 +239,7 @@ fn a_cutting_stroke_takes_its_torque_over_its_angle() {
             torque,
         );
     }
-    // The curve breaks at both jumps: no slope between its parts.
+    // The curve breaks at both jumps, without a slope between its parts.
     let parts = duty.cycle.curve(360);
     assert_eq!(parts.len(), 3);
     // A slope of 0.001 deg instead adds half of it on either side.
@@ -247,9 +247,10 @@ fn a_cutting_stroke_takes_its_torque_over_its_angle() {
     near(slope.cycle.all.work(), 5.0 * angle);
 }
 
-/// A torsion spring that is gone round winds up to half a turn and springs over: 1/2 k pi^2 in it.
+/// A torsion spring on a crank that turns fully winds up to half a turn and snaps over. Its energy
+/// is 1/2 k pi^2 there.
 #[test]
-fn a_torsion_spring_on_a_crank_springs_over_half_a_turn_from_its_free_angle() {
+fn torsion_spring_on_crank_snaps_over_after_half_turn() {
     let duty = crank("[[springs]]\nlink = \"r2\"\nstiffness = 3\nangle = 30\n");
     near(duty.cycle.all.largest.map(|peak| peak.value), 3.0 * PI);
     near(duty.cycle.all.largest.map(|peak| peak.at), 210.0);
@@ -261,23 +262,23 @@ fn a_torsion_spring_on_a_crank_springs_over_half_a_turn_from_its_free_angle() {
     );
 }
 
-/// Its damper takes c w at every angle; its preload turns the link.
+/// The damper takes c w at every angle; the preload drives the link.
 #[test]
-fn a_torsion_damper_and_a_preload_are_constant_torques() {
+fn torsion_damper_and_preload_are_constant_torques() {
     let duty = crank("[[springs]]\nlink = \"r2\"\ndamping = 0.25\npreload = 2\n");
     near(duty.cycle.all.mean, 0.25 * 2.0 - 2.0);
     near(duty.cycle.all.largest.map(|peak| peak.value), -1.5);
 }
 
-/// From D at 400 mm to B on the circle of 100: 300 mm at 0 deg, 500 mm at 180 deg.
+/// The springs run from D at 400 mm to B on a circle of 100 mm: 300 mm at 0 deg, 500 mm at 180 deg.
 #[test]
-fn springs_of_one_line_take_what_their_lengths_say() {
+fn spring_work_depends_on_end_lengths() {
     let spring = |rest: &str| crank(&format!("[[springs]]\nfrom = \"D\"\nto = \"B\"\n{rest}\n"));
-    // 0.1 m at 600 N, and 0.1 m at 200 N, pushed together once a turn.
+    // Compressed once a turn: 0.1 m at 600 N and 0.1 m at 200 N.
     let gas = spring("force = [[400, 600], [400, 200]]");
     near(gas.cycle.all.put_in, 80.0);
     near(gas.cycle.all.given_back, 80.0);
-    // 1/2 k (x2^2 - x1^2) + F x: k = 1000 N/m from 50 to 250 mm beyond 250 mm.
+    // 1/2 k (x2^2 - x1^2) + F x: k = 1000 N/m, stretched from 50 to 250 mm beyond 250 mm.
     let line = spring("stiffness = 1000\nlength = 250\npreload = 40");
     near(
         line.cycle.all.put_in,
