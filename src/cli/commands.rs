@@ -9,7 +9,7 @@ use super::screen::TextScreen;
 use super::source::SolvableScene;
 use super::sweep::{clock, figures, tell_of_motion};
 use crate::Input;
-use crate::quantity::{Catalogue, Hidden, MOST_DERIVATIVES, Quantity, Sensitivity};
+use crate::quantity::{Catalogue, Hidden, MAX_DERIVATIVES, Quantity, Sensitivity};
 use crate::report::{
     Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses, stops,
 };
@@ -172,7 +172,7 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
 /// Returns an error if the derivatives by lengths would need too much memory and time.
 pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
     let lengths = scene.mechanism.lengths().len();
-    if lengths.saturating_mul(figures) <= MOST_DERIVATIVES {
+    if lengths.saturating_mul(figures) <= MAX_DERIVATIVES {
         return Ok(());
     }
     Err(Failure::Usage(

@@ -4,7 +4,7 @@ use super::failure::{Failure, say};
 use super::output::write_text;
 use super::screen::TextScreen;
 use crate::files::{from_home, places, read_file};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::tui::{self, Config};
 use crate::wording::{Language, words};
 use std::io::{self, ErrorKind};
@@ -19,7 +19,7 @@ pub(super) fn config(screen: TextScreen) -> Result<(), Failure> {
 /// errors, which `load` reports, and pipes, which can be read only once.
 pub(super) fn language(named: Option<&Path>) -> Option<Language> {
     let path = place(named).filter(|path| path.is_file())?;
-    let bytes = read_file(&path, LARGEST_FILE).ok()?;
+    let bytes = read_file(&path, MAX_FILE_SIZE).ok()?;
     Config::language_in(str::from_utf8(&bytes).ok()?)
 }
 
@@ -48,7 +48,7 @@ pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
         return Ok(Config::default());
     };
     let shown = path.display().to_string();
-    match read_file(&path, LARGEST_FILE) {
+    match read_file(&path, MAX_FILE_SIZE) {
         Ok(bytes) => {
             let config = Config::read(&bytes, &shown).map_err(Failure::Scene)?;
             if let Some(warnings) = &config.warnings {

@@ -8,7 +8,7 @@ use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::files::read_ready;
 use crate::report::{CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
-use crate::scene::{LARGEST_FILE, Scene};
+use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
 use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles, SheetScene};
 use crate::wording::words;
@@ -222,7 +222,7 @@ impl MadeExercise {
     ) -> Result<(), Failure> {
         for (ending, text) in self.files(format, dialect, screen)? {
             let path = folder.join(format!("{}{ending}", self.name));
-            let is_lost = match read_ready(&path, LARGEST_REPORT) {
+            let is_lost = match read_ready(&path, MAX_REPORT_SIZE) {
                 Ok(bytes) if ending == ANSWERS => !is_blank(&bytes, &self.key, &self.scene_file()),
                 Ok(bytes) => bytes != text.as_bytes(),
                 Err(error) => error.kind() != ErrorKind::NotFound,
@@ -254,7 +254,7 @@ impl MadeExercise {
 /// Ending of the file of answers.
 const ANSWERS: &str = ".csv";
 /// Maximum size of a report written by krank, in bytes.
-const LARGEST_REPORT: usize = 16 * LARGEST_FILE;
+const MAX_REPORT_SIZE: usize = 16 * MAX_FILE_SIZE;
 
 /// Returns the endings of the four files: scene, answers, sheet and solution.
 fn endings(format: ReportFormat) -> [String; 4] {

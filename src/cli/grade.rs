@@ -10,7 +10,7 @@ use super::source::{SolvableScene, find, keep_apart, keep_file_apart, load};
 use crate::files::read_ready;
 use crate::page::TextStyle;
 use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::wording::words;
 use std::path::{Path, PathBuf, is_separator};
 
@@ -143,9 +143,9 @@ impl Grader<'_> {
 
 /// Reads a file of answers.
 fn answers(path: &Path, shown: &str) -> Result<AnswerFile, Failure> {
-    let bytes = read_ready(path, LARGEST_FILE)
+    let bytes = read_ready(path, MAX_FILE_SIZE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
-    if bytes.len() > LARGEST_FILE {
+    if bytes.len() > MAX_FILE_SIZE {
         return Err(Failure::Usage(words().too_many_answers(shown)));
     }
     AnswerFile::read(&bytes).map_err(|why| {

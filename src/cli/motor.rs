@@ -12,7 +12,7 @@ use crate::quantity::Catalogue;
 use crate::report::{CsvDialect, MotorReport, MotorWishes, TimedMotorReport, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
-use crate::study::motor::{Duty, LARGEST_FLUCTUATION, NoDuty, TimedDuty, is_within};
+use crate::study::motor::{Duty, MAX_FLUCTUATION, NoDuty, TimedDuty, is_within};
 use crate::wording::words;
 use crate::{Body, SlideId};
 use std::fmt::Display;
@@ -138,7 +138,7 @@ fn refused(motor: &Motor) -> Option<String> {
         return Some(words().peak_less_than_rated(peak, rated));
     }
     let uneven = motor.fluctuation.filter(|share| *share > 1.0);
-    uneven.map(|share| match share > LARGEST_FLUCTUATION {
+    uneven.map(|share| match share > MAX_FLUCTUATION {
         true => words().fluctuation_above_two(share),
         false => words().fluctuation_above_one(share),
     })

@@ -29,7 +29,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// Width in columns if the terminal reports none.
 const WIDTH: usize = 80;
 /// Maximum length of the bar; more would add no information.
-const LONGEST_BAR: usize = 40;
+const MAX_BAR_LEN: usize = 40;
 /// Free columns at the end of the line: two for `^C`, which the terminal echoes there, and the last
 /// column, after which the line would wrap.
 const FREE: usize = 3;
@@ -269,7 +269,7 @@ impl Counted<'_> {
         } else {
             ("\u{2501}", "\u{2500}", ["", ""])
         };
-        let length = room.min(LONGEST_BAR) - ends.concat().len();
+        let length = room.min(MAX_BAR_LEN) - ends.concat().len();
         let share = self.done as f64 / self.total.max(1) as f64;
         let filled = ((share * length as f64) as usize).min(length);
         let (full, open) = (full.repeat(filled), open.repeat(length - filled));

@@ -8,13 +8,13 @@ use super::screen::TextScreen;
 use super::source::{SolvableScene, keep_file_apart};
 use crate::files::read_ready;
 use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat, TextEncoding};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::solver::{Condition, Order};
 use crate::wording::words;
 use std::path::Path;
 
 /// Maximum size of a file with another program's values, in bytes.
-const LARGEST_FOREIGN: usize = 16 * LARGEST_FILE;
+const MAX_FOREIGN_SIZE: usize = 16 * MAX_FILE_SIZE;
 
 /// Writes the report. Without an assembly, writes its possible part and returns the reason as an
 /// error.
@@ -63,10 +63,10 @@ fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportForm
 /// Reads values from a file that another program wrote.
 pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
     let shown = path.display().to_string();
-    let bytes = read_ready(path, LARGEST_FOREIGN)
+    let bytes = read_ready(path, MAX_FOREIGN_SIZE)
         .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
     let too_long = || Failure::Usage(words().too_many_figures(&shown));
-    if bytes.len() > LARGEST_FOREIGN {
+    if bytes.len() > MAX_FOREIGN_SIZE {
         return Err(too_long());
     }
     let name = path.file_name().unwrap_or(path.as_os_str());

@@ -9,7 +9,7 @@ use crate::files::{is_same_file, limited, read_any};
 use crate::nearest::nearest;
 use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
-use crate::scene::{LARGEST_FILE, Scene};
+use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Fault, Plan, Solver};
 use crate::task_file::ExampleTask;
 use crate::wording::words;
@@ -100,12 +100,12 @@ fn read(source: &SceneSource) -> Result<Scene, Failure> {
 
 /// Reads a scene or a task from standard input.
 pub(super) fn standard_input() -> Result<Vec<u8>, Failure> {
-    limited(stdin(), LARGEST_FILE).map_err(|e| unreadable(words().standard_input(), &e))
+    limited(stdin(), MAX_FILE_SIZE).map_err(|e| unreadable(words().standard_input(), &e))
 }
 
 /// Reads a scene or a task from a file.
 pub(super) fn contents(path: &Path) -> Result<Vec<u8>, Failure> {
-    let bytes = read_any(path, LARGEST_FILE);
+    let bytes = read_any(path, MAX_FILE_SIZE);
     bytes.map_err(|e| unreadable(&format!("`{}`", path.display()), &e))
 }
 

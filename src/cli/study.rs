@@ -10,7 +10,7 @@ use super::study_rows;
 use crate::files::{GrowingFile, GrownFile, Output, Trouble};
 use crate::parallel;
 use crate::quantity::Catalogue;
-use crate::report::{DesignFormat, DesignSummary, DesignTable, MOST_ROWS};
+use crate::report::{DesignFormat, DesignSummary, DesignTable, MAX_ROWS};
 use crate::study::{
     CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
 };
@@ -108,7 +108,7 @@ fn ready(args: &StudyArgs, axes: &[PlanAxis], space: DesignSpace) -> Result<Read
         Some(count) => DesignPlan::latin(axes, &given, count, args.seed),
         None => DesignPlan::grid(axes, &given),
     };
-    if plan.count() > MOST_ROWS {
+    if plan.count() > MAX_ROWS {
         return Err(Failure::Usage(words().too_many_designs("10^9")));
     }
     Ok(ReadyStudy {

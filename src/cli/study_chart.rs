@@ -14,7 +14,7 @@ use crate::report::{DesignColumn, DesignSummary, DesignTable};
 use crate::wording::words;
 
 /// Maximum number of designs in a chart; more would not be visible.
-const MOST_DRAWN: u64 = 1_000_000;
+const MAX_DRAWN: u64 = 1_000_000;
 
 /// A drawn value: its name and unit, and its grid points.
 type DrawnAxis<'a> = ([&'a str; 2], Vec<f64>);
@@ -78,7 +78,7 @@ fn drawn_axes<'a>(
 ) -> Result<Vec<DrawnAxis<'a>>, Failure> {
     let plan = &ready.plan;
     let is_grid = args.latin.is_none() && args.part.is_none() && !args.resume;
-    if !is_grid || plan.count() > MOST_DRAWN {
+    if !is_grid || plan.count() > MAX_DRAWN {
         return Err(needs_grid());
     }
     let counts: Vec<u64> = plan.places().map(u64::from).collect();

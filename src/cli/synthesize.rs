@@ -13,7 +13,7 @@ use crate::files::read_ready;
 use crate::nearest::nearest;
 use crate::parallel;
 use crate::report::SynthesisReport;
-use crate::scene::{LARGEST_FILE, presets};
+use crate::scene::{MAX_FILE_SIZE, presets};
 use crate::synthesis::{Synthesis, SynthesisOrder, scene_text};
 use crate::task_file::{ExampleTask, TaskFile};
 #[cfg(feature = "tui")]
@@ -141,7 +141,7 @@ fn save(
         return Ok(());
     }
     for (path, text) in &files {
-        let is_lost = match read_ready(path, LARGEST_FILE) {
+        let is_lost = match read_ready(path, MAX_FILE_SIZE) {
             Ok(bytes) => bytes != text.as_bytes(),
             // If the folder is a file, creating it fails with an error below.
             Err(error) => !matches!(error.kind(), ErrorKind::NotFound | ErrorKind::NotADirectory),

@@ -11,7 +11,7 @@ use super::symbol::cell_of;
 use crate::Vec2;
 
 /// Minimum arrow length, in cell widths. A shorter arrow would be a head without a shaft.
-const SHORTEST: f64 = 1.0;
+const MIN_LEN: f64 = 1.0;
 /// The gap in a broken shaft: start and end as fractions of the length.
 const BREAK: (f64, f64) = (0.4, 0.65);
 
@@ -35,7 +35,7 @@ pub(super) fn draw(
 ) {
     let step = to - from;
     let length = Vec2::new(step.x, step.y * aspect);
-    if !(length.norm() >= SHORTEST && length.is_finite()) {
+    if !(length.norm() >= MIN_LEN && length.is_finite()) {
         return;
     }
     let inside = share_inside(raster, from, step);

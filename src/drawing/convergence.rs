@@ -5,7 +5,7 @@ use crate::study::ErrorCurve;
 use crate::wording::words;
 
 /// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
-const LEAST_ERROR: f64 = 1e-17;
+const MIN_ERROR: f64 = 1e-17;
 
 /// Returns the chart of the errors of one or more groups. The points of a single curve are joined.
 #[must_use]
@@ -15,7 +15,7 @@ pub fn convergence(curves: &[ErrorCurve]) -> Chart {
         let errors = (0_i32..).zip(curve.errors.clone());
         let data = errors.map(move |(k, error)| Datum {
             x: 10.0_f64.powi(k),
-            y: error.max(LEAST_ERROR),
+            y: error.max(MIN_ERROR),
             letter: mark,
             best: curves.len() == 1,
         });

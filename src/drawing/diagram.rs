@@ -67,7 +67,7 @@ const ASIDE: f64 = 13.0;
 /// The average width of a letter.
 const LETTER: f64 = 7.0;
 /// Minimum arrow length. A shorter arrow would be a head alone.
-const SHORTEST: f64 = 2.0;
+const MIN_LEN: f64 = 2.0;
 /// Distance from the middle of a text down to its baseline.
 const HALF_TEXT: f64 = 4.5;
 
@@ -245,7 +245,7 @@ impl DiagramSheet {
     fn arrow(&mut self, arrow: &DiagramArrow) {
         let [from, to] = [arrow.from, arrow.to].map(|p| self.scale.place(p));
         let along = to - from;
-        if along.norm() < SHORTEST {
+        if along.norm() < MIN_LEN {
             return;
         }
         let class = match arrow.kind {

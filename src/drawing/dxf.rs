@@ -7,7 +7,7 @@ use crate::Vec2;
 use std::fmt::Write as _;
 
 /// The longest name that R12 allows, in characters.
-const LONGEST_NAME: usize = 31;
+const MAX_NAME_LEN: usize = 31;
 /// The number of layer colours: red, yellow, green, cyan, blue, magenta.
 const COLOURS: usize = 6;
 
@@ -32,7 +32,7 @@ impl DxfDocument {
                 '_'
             }
         };
-        let wish: String = wish.chars().map(allowed).take(LONGEST_NAME).collect();
+        let wish: String = wish.chars().map(allowed).take(MAX_NAME_LEN).collect();
         let is_taken = |name: &String| {
             let mut others = self.layers.iter();
             others.any(|other| other.eq_ignore_ascii_case(name))
@@ -44,7 +44,7 @@ impl DxfDocument {
                 1 => "_".to_owned(),
                 same => format!("_{same}"),
             };
-            let kept = wish.chars().take(LONGEST_NAME - end.len());
+            let kept = wish.chars().take(MAX_NAME_LEN - end.len());
             name = kept.collect::<String>() + &end;
             same += 1;
         }

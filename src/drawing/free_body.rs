@@ -40,10 +40,10 @@ impl FreeForce {
 }
 
 /// Length of the longest arrow, as a fraction of the link's size.
-const LONGEST: f64 = 0.55;
+const MAX_LEN: f64 = 0.55;
 /// Minimum length of an arrow, as a fraction of the longest. A shorter arrow would be hidden under
 /// the mark of its point.
-const SHORTEST: f64 = 0.2;
+const MIN_LEN: f64 = 0.2;
 /// The fraction of the largest force or moment below which a value is not drawn: rounding error, or
 /// too short to be visible.
 const SEEN: f64 = 1e-3;
@@ -113,8 +113,8 @@ fn arrows(figure: &mut Figure, places: &mut Vec<Vec2>, forces: &[FreeForce]) -> 
         let at = one.at.unwrap_or(middle);
         let mut outer = at;
         if one.force.norm() > SEEN * most {
-            let share = (one.force.norm() / most).max(SHORTEST);
-            let arrow = one.force * (LONGEST * size * share / one.force.norm());
+            let share = (one.force.norm() / most).max(MIN_LEN);
+            let arrow = one.force * (MAX_LEN * size * share / one.force.norm());
             // A force that pushes into the link ends at its point, and one that pulls begins there,
             // so that neither covers the link.
             let pushes = arrow.dot(middle - at) > 0.0;

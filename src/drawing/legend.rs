@@ -36,14 +36,14 @@ pub struct LegendPiece {
 
 /// Minimum length of a legend's arrow, in cell widths. The next round value is at most 2.5 times as
 /// long.
-const SHORTEST: f64 = 4.0;
+const MIN_LEN: f64 = 4.0;
 /// The separator between two entries.
 const GAP: &str = "   ";
 
 impl LegendEntry {
     /// Creates the arrow of a round value, with `cells_each` cell widths per unit.
     pub(super) fn arrow(role: Role, letter: &str, unit: &str, cells_each: f64) -> LegendEntry {
-        let value = round_up(SHORTEST / cells_each);
+        let value = round_up(MIN_LEN / cells_each);
         match value {
             Some(value) => LegendEntry::Arrow {
                 role,
@@ -185,7 +185,7 @@ mod tests {
             let LegendEntry::Arrow { text, cells, .. } = LegendEntry::arrow(Role::Velocity, "v", "m/s", each) else {
                 return Err(TestCaseError::fail("an arrow"));
             };
-            prop_assert!((SHORTEST * 0.999..SHORTEST * 2.501).contains(&cells), "{cells}");
+            prop_assert!((MIN_LEN * 0.999..MIN_LEN * 2.501).contains(&cells), "{cells}");
             let value: f64 = text.split(' ').nth(1).unwrap().parse().unwrap();
             prop_assert!((value * each / cells - 1.0).abs() < 1e-6, "{text}");
             let first = text.chars().find(|c| ('1'..='9').contains(c)).unwrap();

@@ -3,8 +3,8 @@
 use crate::{Body, Mechanism, PointId, Slider};
 
 /// Maximum numbers of traces, and of arrows of one kind; more would be indistinguishable.
-const MOST_TRACES: usize = 12;
-const MOST_ARROWS: usize = 40;
+const MAX_TRACES: usize = 12;
+const MAX_ARROWS: usize = 40;
 
 /// Returns the points that move and are not centres of mass: joints and coupler points.
 pub fn moving_points(mechanism: &Mechanism) -> impl Iterator<Item = PointId> {
@@ -22,7 +22,7 @@ pub fn moving_points(mechanism: &Mechanism) -> impl Iterator<Item = PointId> {
 /// Returns the points with arrows by default: all moving points, up to a maximum.
 #[must_use]
 pub fn usual_arrows(mechanism: &Mechanism) -> Vec<PointId> {
-    moving_points(mechanism).take(MOST_ARROWS).collect()
+    moving_points(mechanism).take(MAX_ARROWS).collect()
 }
 
 /// Returns the points with informative traces: those that the ground does not lead on a circle or
@@ -33,10 +33,10 @@ pub fn usual_traces(mechanism: &Mechanism) -> Vec<PointId> {
     let free = |id: &PointId| !led[id.index()];
     let curves: Vec<PointId> = moving_points(mechanism)
         .filter(free)
-        .take(MOST_TRACES)
+        .take(MAX_TRACES)
         .collect();
     if curves.is_empty() {
-        moving_points(mechanism).take(MOST_TRACES).collect()
+        moving_points(mechanism).take(MAX_TRACES).collect()
     } else {
         curves
     }

@@ -45,11 +45,11 @@ pub(super) struct Margin {
 }
 
 /// Maximum number of window sizes in the cache.
-const MOST_SIZES: usize = 64;
+const MAX_SIZES: usize = 64;
 
 /// Maximum name length that margins allow for. Longer names may be cut at the edge, rather than
 /// make the linkage small.
-const LONGEST_NAME: f64 = 4.0;
+const MAX_NAME_LEN: f64 = 4.0;
 
 impl Reach {
     /// Computes the extents of a scene, following its motion once.
@@ -152,7 +152,7 @@ impl Reach {
             poses: Poses::default(),
             travel: vec![None; mechanism.slides().len()],
             anchor: anchor.unwrap_or(Vec2::ZERO),
-            name: (longest as f64).min(LONGEST_NAME),
+            name: (longest as f64).min(MAX_NAME_LEN),
             near: RefCell::default(),
         }
     }
@@ -248,7 +248,7 @@ impl Reach {
         let found = find();
         let mut near = self.near.borrow_mut();
         // A terminal that is resized all day must not fill the memory.
-        if near.len() >= MOST_SIZES {
+        if near.len() >= MAX_SIZES {
             near.clear();
         }
         near.push(found);

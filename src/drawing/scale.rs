@@ -5,7 +5,7 @@ use super::reach::Reach;
 use crate::Vec2;
 
 /// The longest arrow as a fraction of the diagonal of all the linkage's positions.
-const LONGEST: f64 = 0.2;
+const MAX_LEN: f64 = 0.2;
 
 /// The factor by which the longest arrow may exceed the upper quartile; longer ones are cut. Rates
 /// and forces grow without bound close to a dead point, and would make the others invisible.
@@ -25,7 +25,7 @@ pub(super) type MovingArrow = (f64, Vec2, Vec2);
 
 /// Returns the length of the longest arrow in a drawing of these extents.
 pub(super) fn longest(reach: &Reach) -> f64 {
-    LONGEST * reach.bounds().size().norm()
+    MAX_LEN * reach.bounds().size().norm()
 }
 
 impl ArrowScale {

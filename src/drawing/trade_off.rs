@@ -5,7 +5,7 @@ use crate::study::Findings;
 use crate::wording::words;
 
 /// The error at which smaller errors and zeros are plotted: below the rounding error of a double.
-const LEAST_ERROR: f64 = 1e-17;
+const MIN_ERROR: f64 = 1e-17;
 const NANOSECONDS: f64 = 1e9;
 
 /// Returns the chart of a study's findings.
@@ -15,7 +15,7 @@ pub fn trade_off(findings: &Findings) -> Chart {
         let figures = finding.figures()?;
         Some(Datum {
             x: figures.time?.median * NANOSECONDS,
-            y: figures.errors?.position.max(LEAST_ERROR),
+            y: figures.errors?.position.max(MIN_ERROR),
             letter: finding.key,
             best: finding.best,
         })

@@ -33,7 +33,7 @@ pub(super) const CELL_ASPECT: f64 = 2.0;
 const FULL_MARGIN: Vec2 = Vec2::new(40.0, 16.0);
 
 /// Minimum number of rows of a separate drawing.
-const LOWEST: u16 = 8;
+const MIN_HEIGHT: u16 = 8;
 
 impl WorldView {
     /// Returns the largest window with equal scales that contains the whole `reach` with its labels
@@ -128,7 +128,7 @@ impl WorldView {
         let highest = of_rows(most);
         // A rounding error does not count as a smaller drawing.
         let least = highest.scale.x * (1.0 - 1e-9);
-        let mut lower = (LOWEST..most).map(of_rows);
+        let mut lower = (MIN_HEIGHT..most).map(of_rows);
         lower.find(|view| view.scale.x >= least).unwrap_or(highest)
     }
 

@@ -26,9 +26,9 @@ const PRIVATE: Mode = Mode::RUSR.union(Mode::WUSR);
 /// Mode of a new file, from the first byte; the process's umask applies.
 const NEW: Mode = Mode::from_raw_mode(0o666);
 /// Maximum number of names tried. More collisions with foreign files indicate another problem.
-const MOST_NAMES: u32 = 1000;
+const MAX_NAMES: u32 = 1000;
 /// Maximum number of folder entries searched for abandoned drafts.
-const MOST_ENTRIES: usize = 10_000;
+const MAX_ENTRIES: usize = 10_000;
 
 /// A temporary file; removed if it is dropped before it replaces its target.
 #[derive(Debug)]
@@ -73,7 +73,7 @@ impl DraftFile {
     /// Creates a draft that has a name from the start.
     fn make_named(folder: &Path, mode: Mode) -> io::Result<DraftFile> {
         let flags = OFlags::RDWR | OFlags::CREATE | OFlags::EXCL | OFlags::CLOEXEC;
-        for _ in 0..MOST_NAMES {
+        for _ in 0..MAX_NAMES {
             let path = folder.join(next_name());
             let file = match open(&path, flags | OFlags::NOFOLLOW, mode) {
                 Ok(file) => File::from(file),
@@ -106,7 +106,7 @@ impl DraftFile {
     }
 
     fn link_to_free_name(&self) -> io::Result<PathBuf> {
-        for _ in 0..MOST_NAMES {
+        for _ in 0..MAX_NAMES {
             let path = self.folder.join(next_name());
             match link(&self.file, &path) {
                 Err(Errno::EXIST) => {}
@@ -207,7 +207,7 @@ fn link(file: &File, path: &Path) -> Result<(), Errno> {
 /// Removes drafts left by processes that no longer run.
 fn sweep(folder: &Path) {
     let entries = fs::read_dir(folder).into_iter().flatten();
-    for entry in entries.take(MOST_ENTRIES).flatten() {
+    for entry in entries.take(MAX_ENTRIES).flatten() {
         let name = entry.file_name();
         if is_name(name.as_encoded_bytes()) {
             sweep_one(&entry);

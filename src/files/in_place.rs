@@ -27,7 +27,7 @@ use std::path::{Path, PathBuf};
 const MAGIC: &str = "krank-writing 1";
 const ENDS: &str = "writing";
 /// Maximum length of the first line: a name has up to 4096 bytes.
-const LONGEST_HEAD: u64 = 16 << 10;
+const MAX_HEADER_LEN: u64 = 16 << 10;
 /// Block size for comparing and copying, in bytes.
 const BLOCK: usize = 64 << 10;
 
@@ -128,7 +128,7 @@ impl RewriteRecord {
         let broken = || io::Error::other(words().is_no_record());
         file.seek(SeekFrom::Start(0))?;
         let mut head = String::new();
-        BufReader::new((&file).take(LONGEST_HEAD)).read_line(&mut head)?;
+        BufReader::new((&file).take(MAX_HEADER_LEN)).read_line(&mut head)?;
         let rest = head
             .strip_prefix(MAGIC)
             .and_then(|rest| rest.strip_suffix('\n'));

@@ -45,14 +45,14 @@ pub(crate) fn take(file: &File) -> LockOutcome {
 }
 
 /// Maximum number of attempts while the name of a file keeps leading to another one.
-const MOST_TRIES: u32 = 100;
+const MAX_TRIES: u32 = 100;
 
 /// Opens an existing file, for writing if permitted, and takes its lock.
 ///
 /// # Errors
 /// Returns an error if another process holds the lock, or an I/O error.
 pub(super) fn hold(path: &Path) -> Result<File, Trouble> {
-    for _ in 0..MOST_TRIES {
+    for _ in 0..MAX_TRIES {
         let file = open_file(path, OFlags::RDWR).or_else(|_| open_file(path, OFlags::RDONLY))?;
         if take(&file) == LockOutcome::Others {
             return Err(Trouble::Busy);

@@ -11,7 +11,7 @@ use std::fs::{File, Metadata};
 use std::os::unix::fs::MetadataExt;
 
 /// Maximum size in bytes of the list of names, and of an attribute, in Linux.
-const LONGEST: usize = 1 << 16;
+const MAX_LEN: usize = 1 << 16;
 /// The permission bits of a mode, and the three above them.
 const MODE: RawMode = 0o7777;
 
@@ -52,7 +52,7 @@ fn carry_attributes(old: &File, new: &File) -> Result<(), Errno> {
 
 /// Returns the names of a file's attributes; empty if the file system does not support any.
 fn names(file: &File) -> Result<Vec<CString>, Errno> {
-    let mut list = vec![0; LONGEST];
+    let mut list = vec![0; MAX_LEN];
     let length = match flistxattr(file, &mut list[..]) {
         Ok(length) => length,
         Err(Errno::NOTSUP | Errno::NOSYS) => 0,
@@ -64,7 +64,7 @@ fn names(file: &File) -> Result<Vec<CString>, Errno> {
 }
 
 fn attribute(file: &File, name: &CStr) -> Result<Vec<u8>, Errno> {
-    let mut value = vec![0; LONGEST];
+    let mut value = vec![0; MAX_LEN];
     let length = fgetxattr(file, name, &mut value[..])?;
     value.truncate(length);
     Ok(value)

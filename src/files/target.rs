@@ -10,7 +10,7 @@ use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
 /// Maximum number of chained symbolic links, as in the system.
-const MOST_LINKS: usize = 40;
+const MAX_LINKS: usize = 40;
 /// The write permission bits of a mode.
 const WRITERS: u32 = 0o222;
 
@@ -34,7 +34,7 @@ impl Target {
     /// cycle.
     pub(super) fn find(name: &Path) -> io::Result<Target> {
         let mut name = name.to_owned();
-        for _ in 0..MOST_LINKS {
+        for _ in 0..MAX_LINKS {
             let place = placed(&name)?;
             if is_of_descriptors(&place) {
                 return Ok(Target::Stream(place));

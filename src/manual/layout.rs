@@ -26,9 +26,9 @@ pub(crate) struct ManualLine {
 }
 
 /// Longer lines of words are no pleasure to read.
-const WIDEST: usize = 100;
+const MAX_WIDTH: usize = 100;
 /// Narrower than this no table and no word has room.
-const NARROWEST: usize = 30;
+const MIN_WIDTH: usize = 30;
 /// Blanks before what is shown as it stands, where there is room for them.
 const CODE: usize = 4;
 /// Code of more characters than this may be broken between its words.
@@ -43,7 +43,7 @@ pub(crate) fn lines(text: &str, width: usize) -> Vec<ManualLine> {
         if block.apart && !lines.is_empty() {
             lines.push(line(LineKind::Words, ""));
         }
-        lines.extend(laid_out(&block, width.clamp(NARROWEST, WIDEST)));
+        lines.extend(laid_out(&block, width.clamp(MIN_WIDTH, MAX_WIDTH)));
     }
     lines
 }
@@ -150,6 +150,6 @@ mod tests {
     #[test]
     fn a_screen_of_no_width_gets_what_the_narrowest_gets() {
         let text = "one two three four five six seven\n\n| a | b |\n|---|---|\n| 1 | 2 |\n";
-        assert_eq!(lines(text, 0), lines(text, NARROWEST));
+        assert_eq!(lines(text, 0), lines(text, MIN_WIDTH));
     }
 }

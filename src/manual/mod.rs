@@ -228,7 +228,7 @@ pub(crate) fn find(name: &str) -> Option<&'static Topic> {
 
 /// Topics that are told at most of a word.
 #[cfg(feature = "tui")]
-const MOST_TOLD: usize = 3;
+const MAX_LISTED: usize = 3;
 
 /// The topics in which all of these words stand, by their places, those first in which they stand most often.
 #[cfg(feature = "tui")]
@@ -249,7 +249,7 @@ pub(crate) fn telling(wanted: &str) -> Vec<usize> {
     };
     let mut found: Vec<_> = TOPICS.iter().enumerate().filter_map(often).collect();
     found.sort_unstable();
-    found.truncate(MOST_TOLD);
+    found.truncate(MAX_LISTED);
     found.into_iter().map(|(.., at)| at).collect()
 }
 

@@ -6,7 +6,7 @@ use super::markdown::MarkdownTable;
 /// Blanks between two columns.
 const GAP: usize = 2;
 /// A column of words narrower than this is no pleasure to read.
-const NARROWEST: usize = 24;
+const MIN_WIDTH: usize = 24;
 /// Blanks before what is told of an entry.
 const INDENT: usize = 4;
 
@@ -77,7 +77,7 @@ fn fitting(widths: &[usize], width: usize) -> Option<Vec<usize>> {
     if used > width {
         let widest = fitting.get_mut(widest(widths))?;
         *widest = (*widest + width).checked_sub(used)?;
-        if *widest < NARROWEST {
+        if *widest < MIN_WIDTH {
             return None;
         }
     }

@@ -3,7 +3,7 @@
 use super::columns::ColumnLayout;
 use super::line::{Line, Span, TextRole};
 use super::table::{Cell, Rest, Row, Setting, Table, Units};
-use super::words::{NARROWEST, broken, length, wrapped};
+use super::words::{MIN_WIDTH, broken, length, wrapped};
 use super::{Content, Facts, Page, TextStyle, formula};
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ impl Page {
             let content = block.content.shown(ascii);
             let mut below = content.lines(names, room);
             if medium == Medium::Screen && matches!(content, Content::Table(_)) {
-                let most = width.max(NARROWEST);
+                let most = width.max(MIN_WIDTH);
                 below.iter_mut().for_each(|line| line.cut(most));
             }
             if block.is_apart && !below.is_empty() {
@@ -150,7 +150,7 @@ impl Facts {
         for (name, told) in &self.list {
             let mut name = name.as_str();
             for told in told {
-                let words = wrapped(told, room.max(NARROWEST));
+                let words = wrapped(told, room.max(MIN_WIDTH));
                 for (number, words) in words.into_iter().enumerate() {
                     let label = std::mem::take(&mut name);
                     let begin = label.len() - label.trim_start_matches(' ').len();
@@ -350,7 +350,7 @@ fn told(
         return vec![head];
     }
     let indent = setting.indent + setting.with_mark(mark);
-    let below = wrapped(words, width.saturating_sub(indent).max(NARROWEST));
+    let below = wrapped(words, width.saturating_sub(indent).max(MIN_WIDTH));
     let below = below.into_iter().map(|words| {
         let mut line = Line::default();
         line.push(indent, words, TextRole::Aside);

@@ -10,17 +10,17 @@ use std::fmt::Write as _;
 
 /// Millimetres per user unit, and maximum width of a picture in millimetres.
 const MILLIMETRES: f64 = 160.0 / 800.0;
-const WIDEST: f64 = 160.0;
+const MAX_WIDTH: f64 = 160.0;
 /// The font size in user units, and the size of a typographic point in millimetres.
 const LETTERS: f64 = 13.0;
 const POINT: f64 = 0.352_78;
 /// Maximum coordinate that TeX can handle; the picture is clipped anyway.
-const FARTHEST: f64 = 4000.0;
+const MAX_DISTANCE: f64 = 4000.0;
 
 impl Artwork {
     /// Returns the picture as a `tikzpicture`.
     pub(super) fn tikz(&self) -> String {
-        let unit = MILLIMETRES.min(WIDEST / self.size.x.max(1.0));
+        let unit = MILLIMETRES.min(MAX_WIDTH / self.size.x.max(1.0));
         let [w, h] = [self.size.x, self.size.y].map(number);
         let points = number((LETTERS * unit / POINT).max(4.0));
         let mut text = format!(
@@ -127,6 +127,6 @@ fn mixed(digits: &str) -> String {
 }
 
 fn place(at: Vec2) -> String {
-    let [x, y] = [at.x, at.y].map(|v| number(v.clamp(-FARTHEST, FARTHEST)));
+    let [x, y] = [at.x, at.y].map(|v| number(v.clamp(-MAX_DISTANCE, MAX_DISTANCE)));
     format!("({x},{y})")
 }

@@ -27,7 +27,7 @@ pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
 /// the first line and before the others. A part longer than a line is broken at its blanks, or
 /// anywhere.
 pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<String> {
-    let width = width.max(NARROWEST);
+    let width = width.max(MIN_WIDTH);
     let [first, other] = indents.map(|indent| indent.min(width / 2));
     let mut lines = vec![" ".repeat(first)];
     let mut is_begun = false;
@@ -62,7 +62,7 @@ pub(super) fn fill(parts: &[String], width: usize, indents: [usize; 2]) -> Vec<S
 }
 
 /// Minimum width; on a narrower screen, lines are cut off.
-pub(super) const NARROWEST: usize = 8;
+pub(super) const MIN_WIDTH: usize = 8;
 
 /// Splits a part into words of at most `most` characters.
 fn short_words(part: &str, most: usize) -> Vec<String> {

@@ -10,9 +10,9 @@ use resvg::usvg::{Options, Tree};
 use std::sync::Arc;
 
 /// Maximum number of pixels of a picture, each of four bytes in memory.
-const MOST: u64 = 1 << 25;
+const MAX_COUNT: u64 = 1 << 25;
 /// Maximum number of pixels of all pictures of an animation: some minutes of work.
-const MOST_OF_A_TURN: u64 = 1 << 31;
+const MAX_TURN_SHARE: u64 = 1 << 31;
 
 /// A renderer of SVG documents.
 pub(crate) struct Canvas {
@@ -51,7 +51,7 @@ impl Canvas {
             (across, height / size.height(), height as u32)
         };
         let too_large = PaintError::TooLarge(width, height);
-        if u64::from(width) * u64::from(height) > MOST {
+        if u64::from(width) * u64::from(height) > MAX_COUNT {
             return Err(too_large);
         }
         let mut pixmap = Pixmap::new(width, height).ok_or(too_large)?;
@@ -95,7 +95,7 @@ pub(crate) fn animation(
     for picture in typical {
         let picture = picture?;
         let (width, height) = picture.size();
-        if u64::from(width) * u64::from(height) * count as u64 > MOST_OF_A_TURN {
+        if u64::from(width) * u64::from(height) * count as u64 > MAX_TURN_SHARE {
             return Err(PaintError::TooMany(count));
         }
         census.count(picture.colours());

@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::HashMap;
 
 /// Maximum number of colours; one index is reserved for unchanged pixels.
-const MOST: usize = 255;
+const MAX_COUNT: usize = 255;
 
 /// The most frequent colours of some pictures; any other colour is replaced by the nearest one. A
 /// line drawing has about a dozen hues, and mixtures with the background along the edges.
@@ -30,7 +30,7 @@ impl ColourCensus {
         let mut counts: Vec<_> = self.counts.into_iter().collect();
         // Equal counts are ordered by colour, so that equal pictures give equal bytes.
         counts.sort_by_key(|&(colour, count)| (Reverse(count), colour));
-        counts.truncate(MOST);
+        counts.truncate(MAX_COUNT);
         ColourTable {
             colours: counts.into_iter().map(|(colour, _)| colour).collect(),
             nearest: HashMap::new(),
@@ -43,7 +43,7 @@ impl ColourTable {
     /// lie within it.
     pub(super) fn bytes(&self) -> Vec<u8> {
         let mut bytes = self.colours.concat();
-        bytes.resize(3 * (MOST + 1), 0);
+        bytes.resize(3 * (MAX_COUNT + 1), 0);
         bytes
     }
 

@@ -12,7 +12,7 @@ pub(super) struct ReadCells {
 }
 
 /// Maximum number of cells.
-const MOST_CELLS: usize = 2_000_000;
+const MAX_CELLS: usize = 2_000_000;
 
 impl ReadCells {
     /// Parses the rows of a table with cells separated by commas, semicolons or tabs; blanks around
@@ -59,7 +59,7 @@ fn rows(text: &str, separator: char, most: usize) -> Option<(Vec<Vec<String>>, V
     for row in reader.records() {
         let Ok(row) = row else { continue };
         cells += row.len();
-        if rows.len() >= most || cells > MOST_CELLS {
+        if rows.len() >= most || cells > MAX_CELLS {
             return None;
         }
         lines.push(row.position().map_or(0, |begin| line_of(text, begin)));

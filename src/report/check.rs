@@ -242,7 +242,7 @@ pub struct Check {
 }
 
 /// Maximum number of groups for which the values of a cycle are computed.
-const MOST_GROUPS: usize = 200;
+const MAX_GROUPS: usize = 200;
 
 /// Knots of a load without effect.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -414,7 +414,7 @@ impl Check {
             Range::Limited { low, high } => ([low, high], None),
         };
         let followed =
-            (plan.groups.len() <= MOST_GROUPS).then(|| CycleReport::strokes(scene, solver));
+            (plan.groups.len() <= MAX_GROUPS).then(|| CycleReport::strokes(scene, solver));
         let followed = followed.as_ref();
         Check {
             figures: followed.map_or_else(Vec::new, CycleReport::strokes_json),

@@ -23,7 +23,7 @@ const PLACE_DECIMALS: usize = 6;
 /// Significant digits of the driver's rates: the default of tables.
 const DIGITS: usize = 6;
 /// Maximum number of names in a list of repeated elements.
-const MOST_NAMES: usize = 12;
+const MAX_NAMES: usize = 12;
 /// Significant digits of a condition.
 const CONDITION_DIGITS: usize = 3;
 /// Significant digits of a misfit.
@@ -273,9 +273,9 @@ impl Check {
         let misfit = format!("{} {}", concise(*misfit, MISFIT_DIGITS), self.unit);
         let what = match repeats.as_slice() {
             [] => words().repeats_others(element),
-            repeats if repeats.len() > MOST_NAMES => {
-                let some = repeats[..MOST_NAMES].join(", ");
-                let more = repeats.len() - MOST_NAMES;
+            repeats if repeats.len() > MAX_NAMES => {
+                let some = repeats[..MAX_NAMES].join(", ");
+                let more = repeats.len() - MAX_NAMES;
                 words().repeats(element, &words().some_and_more(&some, more))
             }
             repeats => words().repeats(element, &repeats.join(", ")),

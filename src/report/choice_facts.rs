@@ -13,7 +13,7 @@ const DIGITS: usize = 6;
 /// Coordinates below this fraction of the largest one are rounding errors of zero.
 const NOUGHT: f64 = 1e-13;
 /// Maximum number of groups whose assemblies are listed.
-const MOST_GROUPS: usize = 64;
+const MAX_GROUPS: usize = 64;
 
 /// One assembly of a group.
 #[derive(Clone, Debug, serde::Serialize)]
@@ -61,7 +61,7 @@ impl ChoiceList {
         let plan = solver.plan();
         let start = solver.mechanism().driver().start;
         let having: Vec<_> = plan.numbered().filter(|(_, g)| g.has_choices()).collect();
-        let listed = having.iter().take(MOST_GROUPS);
+        let listed = having.iter().take(MAX_GROUPS);
         let groups = listed.map(|&(number, group)| GroupChoices {
             group: scene.group_name(group).to_owned(),
             list: solver
@@ -79,7 +79,7 @@ impl ChoiceList {
         let whole = |picks: &Vec<_>| picks.iter().filter_map(named).collect();
         ChoiceList {
             groups,
-            unlisted: having.len().saturating_sub(MOST_GROUPS),
+            unlisted: having.len().saturating_sub(MAX_GROUPS),
             assemblies: all.list.iter().map(whole).collect(),
             current: all.current,
             complete: all.is_complete,

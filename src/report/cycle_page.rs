@@ -24,7 +24,7 @@ const BOUND_DIGITS: usize = 2;
 /// Places closer to 0 than this fraction of the motion are shown as 0.
 const SAME_PLACE: f64 = 1e-12;
 /// Maximum number of turning places in a line.
-const MOST_TURNS: usize = 4;
+const MAX_TURNS: usize = 4;
 /// Significant digits of a tolerance.
 const FEW: usize = 3;
 
@@ -183,7 +183,7 @@ impl CycleReport {
         let turnings = excursion.turnings.iter();
         let extremes = [excursion.least.at, excursion.greatest.at];
         let is_told = |turn: &&TurningPlace| {
-            excursion.turnings.len() <= MOST_TURNS || extremes.contains(&turn.place.at)
+            excursion.turnings.len() <= MAX_TURNS || extremes.contains(&turn.place.at)
         };
         let turnings = turnings.filter(is_told);
         told.extend(turnings.map(|turn| self.turn_text(turn, figure)));

@@ -18,7 +18,7 @@ use serde_json::{Map, Value, json};
 const DIGITS: usize = 7;
 const FINE: usize = 12;
 /// Maximum number of designs shown next to the given one.
-const MOST_SHOWN: usize = 4;
+const MAX_SHOWN: usize = 4;
 
 /// The designs that meet goals.
 #[derive(Clone, Debug)]
@@ -69,7 +69,7 @@ impl GoalReport<'_> {
     /// Describes the motion of every listed design that differs from that of the given one, and the
     /// given motion.
     fn other_motions(&self) -> Vec<String> {
-        let shown = self.told().take(MOST_SHOWN).zip(self.heads());
+        let shown = self.told().take(MAX_SHOWN).zip(self.heads());
         let others = shown.filter(|(found, _)| !found.moves_as_given);
         let others = others.map(|(found, head)| (head, &found.design));
         other_motions(self.space, others)
@@ -96,7 +96,7 @@ impl GoalReport<'_> {
             0 if outcome.nearest.is_some() => words().none_meets_goals(outcome.starts),
             0 => words().no_design_opens(outcome.starts),
             1 => words().one_design_meets(outcome.starts),
-            count => words().designs_meet(count, MOST_SHOWN, outcome.starts),
+            count => words().designs_meet(count, MAX_SHOWN, outcome.starts),
         }
     }
 
@@ -106,7 +106,7 @@ impl GoalReport<'_> {
             true => (self.outcome.nearest.iter())
                 .map(|_| words().nearest_design().to_owned())
                 .collect(),
-            false => (1..=self.outcome.solutions.len().min(MOST_SHOWN))
+            false => (1..=self.outcome.solutions.len().min(MAX_SHOWN))
                 .map(|n| n.to_string())
                 .collect(),
         }
@@ -118,7 +118,7 @@ impl GoalReport<'_> {
         for (i, value) in self.space.values().iter().enumerate() {
             let numbers = self
                 .told()
-                .take(MOST_SHOWN)
+                .take(MAX_SHOWN)
                 .map(|found| trimmed(found.numbers[i], FINE));
             let given = concise(value.number, FINE);
             table.row(
@@ -129,7 +129,7 @@ impl GoalReport<'_> {
         for (i, goal) in self.goals.iter().enumerate() {
             let figures = self
                 .told()
-                .take(MOST_SHOWN)
+                .take(MAX_SHOWN)
                 .map(|found| figure(found.figures.get(i)));
             let given = figure(self.given.as_ref().and_then(|given| given.get(i)));
             table.row(

@@ -93,7 +93,7 @@ pub use motor::{MotorReport, MotorWishes, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
-pub use steps::{DecimalError, MOST_ROWS, Steps, StepsError, WrittenDecimal};
+pub use steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal};
 pub use stop_facts::{StopFacts, UnmetLimit, stop_name, stops};
 pub use sweep::{RowFormat, Sweep, SweepOutcome};
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};

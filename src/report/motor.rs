@@ -8,9 +8,9 @@ use crate::quantity::Catalogue;
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Course, CycleShaking, DriveEffort, Duty, Dwell, LARGEST_FLUCTUATION, MotorDemand, MotorFit,
-    NoDuty, NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with,
-    flywheel_for, rams,
+    Course, CycleShaking, DriveEffort, Duty, Dwell, MAX_FLUCTUATION, MotorDemand, MotorFit, NoDuty,
+    NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with, flywheel_for,
+    rams,
 };
 use crate::wording::words;
 use crate::{Input, Load, SlideId, StrokeEnd};
@@ -72,7 +72,7 @@ pub struct RamReport {
 /// Number of steps written per turn, or per cycle back and forth.
 const STEPS: u32 = 360;
 /// Maximum number of steps of a cycle with many turns.
-const MOST_STEPS: u32 = 36_000;
+const MAX_STEPS: u32 = 36_000;
 
 /// Values below this fraction of their terms are rounding errors.
 pub(super) const NOTHING: f64 = 1e-11;
@@ -147,7 +147,7 @@ impl MotorReport {
     pub(super) fn is_even_enough(&self) -> Option<bool> {
         let (_, left) = self.evenness()?.with?;
         let most = self.wishes.motor.fluctuation;
-        Some(left <= most.unwrap_or(LARGEST_FLUCTUATION))
+        Some(left <= most.unwrap_or(MAX_FLUCTUATION))
     }
 
     /// Returns the mean effort of the cycle in N m or N, if the flywheel leaves little fluctuation
@@ -351,7 +351,7 @@ fn steps(turns: f64) -> u32 {
         clippy::cast_sign_loss,
         reason = "a number between one and the most"
     )]
-    let steps = all.clamp(1.0, f64::from(MOST_STEPS)) as u32;
+    let steps = all.clamp(1.0, f64::from(MAX_STEPS)) as u32;
     steps
 }
 

@@ -1,9 +1,9 @@
 //! Formats numbers: with a given number of digits, or so that they read back to the same double.
 
 /// Minimum power of ten without an exponent: many leading zeros are hard to count.
-const SMALLEST_FIXED: i32 = -5;
+const MIN_FIXED_EXPONENT: i32 = -5;
 /// From this value on, the shortest form has an exponent, because doubles have no decimals there.
-const LARGEST_FIXED: f64 = 1e16;
+const MAX_FIXED: f64 = 1e16;
 
 /// Formats a value with `digits` significant digits, with trailing zeros; zero of either sign is
 /// `0`.
@@ -20,7 +20,7 @@ pub(super) fn significant(value: f64, digits: usize) -> String {
         .and_then(|(_, e)| e.parse::<i32>().ok());
     let wanted = i32::try_from(digits).unwrap_or(i32::MAX);
     match exponent {
-        Some(exponent) if (SMALLEST_FIXED..wanted).contains(&exponent) => {
+        Some(exponent) if (MIN_FIXED_EXPONENT..wanted).contains(&exponent) => {
             let decimals = usize::try_from(wanted - 1 - exponent).unwrap_or(0);
             format!("{value:.decimals$}")
         }
@@ -98,7 +98,7 @@ pub(crate) fn shortest(value: f64, to: &mut String) {
     let mut buffer = zmij::Buffer::new();
     // Adding zero clears the sign of a negative one.
     let text = buffer.format_finite(value + 0.0);
-    if value.abs() < LARGEST_FIXED {
+    if value.abs() < MAX_FIXED {
         to.push_str(text.strip_suffix(".0").unwrap_or(text));
     } else {
         // Removes the plus sign of the exponent.

@@ -11,7 +11,7 @@ use std::str::FromStr;
 use thiserror::Error;
 
 /// Maximum number of rows of a sweep: 10^9 already take hundreds of gigabytes.
-pub const MOST_ROWS: u64 = 1_000_000_000;
+pub const MAX_ROWS: u64 = 1_000_000_000;
 
 /// Integers up to this size are exact doubles.
 const EXACT_INTEGER: i128 = 1 << 53;
@@ -113,7 +113,7 @@ pub enum StepsError {
         /// The step.
         step: f64,
     },
-    /// The sweep has more rows than [`MOST_ROWS`].
+    /// The sweep has more rows than [`MAX_ROWS`].
     #[error("{}", words().sweep_too_long(*from, *to, *step))]
     TooMany {
         /// The start of the sweep.
@@ -178,7 +178,7 @@ impl Steps {
         };
         let count = last.and_then(|last| u64::try_from(last).ok()?.checked_add(1));
         match count {
-            Some(count) if count <= MOST_ROWS => Ok(Steps {
+            Some(count) if count <= MAX_ROWS => Ok(Steps {
                 kind,
                 count,
                 end: None,

@@ -21,7 +21,7 @@ pub(super) const FEW: usize = 3;
 /// Number of goals in a line of a scene's comment: those of one pose.
 const GOALS_OF_A_LINE: usize = 3;
 /// Maximum number of defective candidates listed.
-const MOST_DEFECTIVE: usize = 10;
+const MAX_DEFECTIVE: usize = 10;
 
 /// The result of a task.
 #[derive(Clone, Copy, Debug)]
@@ -105,10 +105,10 @@ impl SynthesisReport<'_> {
         if let Some(plot) = self.error_of_best() {
             page.add(Content::Characters(plot));
         }
-        let reasons = self.found.defective.iter().take(MOST_DEFECTIVE);
+        let reasons = self.found.defective.iter().take(MAX_DEFECTIVE);
         if reasons.len() > 0 {
             let mut facts = Facts::default();
-            let rest = self.found.defective.len().saturating_sub(MOST_DEFECTIVE);
+            let rest = self.found.defective.len().saturating_sub(MAX_DEFECTIVE);
             let lines = reasons
                 .map(|candidate| format!("{}: {}", self.brief(candidate), self.reasons(candidate)));
             let rest = (rest > 0).then(|| words().and_more(rest));

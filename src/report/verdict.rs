@@ -14,7 +14,7 @@ const PLACES: usize = 5;
 /// Coordinates below this fraction of the range are shown as 0.
 const NOUGHT: f64 = 1e-9;
 /// Maximum number of groups for which transmission is evaluated after every edit.
-const MOST_GROUPS: usize = 200;
+const MAX_GROUPS: usize = 200;
 
 /// A summary of a linkage over its whole motion.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -126,7 +126,7 @@ fn without_rounding(at: f64, size: f64) -> f64 {
 /// Describes the transmission angle with the maximum deviation from 90 degrees; with the name of
 /// its dyad if there are several.
 fn transmission(scene: &Scene, solver: &Solver, unit: &str) -> Option<VerdictPart> {
-    if solver.plan().groups.len() > MOST_GROUPS {
+    if solver.plan().groups.len() > MAX_GROUPS {
         return None;
     }
     let all = solver.transmission();

@@ -7,7 +7,7 @@ use crate::scene::toml_string;
 use std::fmt::{Arguments, Write as _};
 
 /// Points of a task that are figures of its scene.
-const MOST_FIGURES: usize = 24;
+const MAX_FIGURES: usize = 24;
 
 /// What is said of a scene beside its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -123,7 +123,7 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
 
 /// Whether each point of a task is a figure of its scene: of many points nobody reads them one by one.
 pub(super) fn has_figures(task: &Task) -> bool {
-    task.points() <= MOST_FIGURES
+    task.points() <= MAX_FIGURES
 }
 
 fn heading(titles: &SceneTitles) -> String {

@@ -13,7 +13,7 @@ const SIDE: &str = "{ swing = 60, start = 45 }";
 /// Number of intervals in which a formula is sampled between its pairs.
 const DENSE: u32 = 180;
 /// Maximum number of pairs.
-const MOST: usize = 1000;
+const MAX_COUNT: usize = 1000;
 
 /// `function` as written.
 #[derive(Debug, Deserialize)]
@@ -122,9 +122,9 @@ pub(super) fn function(
 
 fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
     let rows = rows(reader, "pairs", ("[x, y]", "[30, 42]"), [None; 2], written)?;
-    if !(3..=MOST).contains(&rows.len()) {
+    if !(3..=MAX_COUNT).contains(&rows.len()) {
         reader.report(
-            Diagnostic::new(words().count_of_pairs(rows.len(), MOST))
+            Diagnostic::new(words().count_of_pairs(rows.len(), MAX_COUNT))
                 .at(written.span.clone(), "")
                 .help(words().for_example(PAIRS)),
         );
@@ -168,9 +168,11 @@ fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<
     let (from, to, count) = (from?, to?, count?);
     let points = usize::try_from(count as i64).unwrap_or(0);
     let is_range = to > from && (to - from).is_finite();
-    let is_count = (3..=MOST).contains(&points) && points as f64 == count;
+    let is_count = (3..=MAX_COUNT).contains(&points) && points as f64 == count;
     if !(is_range && is_count) {
-        reader.report(Diagnostic::new(words().range_of_function(MOST)).at(value.span.clone(), ""));
+        reader.report(
+            Diagnostic::new(words().range_of_function(MAX_COUNT)).at(value.span.clone(), ""),
+        );
         return None;
     }
     let mut at = |x: f64| {

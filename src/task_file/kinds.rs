@@ -11,10 +11,10 @@ use crate::wording::words;
 const POSES: &str = "poses = [[0, 0, 0], [120, 40, 35], [180, 130, 80]]";
 const POINTS: &str = "points = [[20, 20], [20, 25], [20, 30]]";
 /// Minimum and maximum number of poses that the methods accept.
-const FEWEST: usize = 3;
-const MOST: usize = 5;
+const MIN_COUNT: usize = 3;
+const MAX_COUNT: usize = 5;
 /// Maximum number of points of a path.
-const MOST_POINTS: usize = 1000;
+const MAX_POINTS: usize = 1000;
 
 pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseTask> {
     let Some(written) = &file.poses else {
@@ -26,7 +26,7 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
     let pivots = given(reader, "pivots", file.pivots.as_ref());
     let pins = given(reader, "pins", file.pins.as_ref());
     let (read, pivots, pins) = (read?, pivots?, pins?);
-    if !(FEWEST..=MOST).contains(&read.len()) {
+    if !(MIN_COUNT..=MAX_COUNT).contains(&read.len()) {
         reader.report(
             Diagnostic::new(words().count_of_poses(read.len()))
                 .at(written.span.clone(), "")
@@ -50,7 +50,7 @@ pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseT
         }
     }
     let given: Vec<&(Vec2, ByteSpan)> = pivots.iter().chain(&pins).collect();
-    let most = if read.len() == FEWEST { 2 } else { 0 };
+    let most = if read.len() == MIN_COUNT { 2 } else { 0 };
     if let Some((_, place)) = given.get(most) {
         reader.report(
             Diagnostic::new(words().too_much_given(read.len(), given.len()))
@@ -88,9 +88,9 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
     let closed = file.closed.as_ref();
     let closed = closed.and_then(|closed| reader.boolean("`closed`", closed));
     let (read, pivots) = (read?, pivots?);
-    if read.len() < 2 || read.len() > MOST_POINTS {
+    if read.len() < 2 || read.len() > MAX_POINTS {
         reader.report(
-            Diagnostic::new(words().count_of_points(read.len(), MOST_POINTS))
+            Diagnostic::new(words().count_of_points(read.len(), MAX_POINTS))
                 .at(written.span.clone(), "")
                 .help(words().for_example(POINTS)),
         );

@@ -23,7 +23,7 @@ use crate::Vec2;
 use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Misplaced, Name, Reader};
 use crate::expression::Dimension;
 use crate::nearest::did_you_mean;
-use crate::scene::{self, LARGEST_FILE, Unit};
+use crate::scene::{self, MAX_FILE_SIZE, Unit};
 use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
 use serde::Deserialize;
@@ -115,7 +115,7 @@ impl TaskFile {
     /// # Errors
     /// Returns all faults found, with their places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<TaskFile, Diagnostics> {
-        if bytes.len() > LARGEST_FILE {
+        if bytes.len() > MAX_FILE_SIZE {
             return Err(scene::too_large(origin));
         }
         match std::str::from_utf8(bytes) {

@@ -15,7 +15,7 @@ use std::path::Path;
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 /// Maximum length of an input, in bytes: longer ones are slower and find nothing more.
-const LONGEST: usize = 4096;
+const MAX_LEN: usize = 4096;
 /// Maximum time for an input; a longer one counts as a hang, even on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(600);
 
@@ -101,7 +101,7 @@ impl Fuzz<'_> {
             // The piece replaces a range, or is inserted before it.
             let to = if chance.below(2) == 0 { from } else { to };
             input.splice(from..to, piece);
-            input.truncate(LONGEST);
+            input.truncate(MAX_LEN);
         }
         input
     }

@@ -9,7 +9,7 @@ use crate::solver::{Condition, Order, Solver};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Maximum number of links: larger scenes are slow and find nothing more.
-const MOST_LINKS: usize = 40;
+const MAX_LINKS: usize = 40;
 
 const WORDS: &[&str] = &[
     "[ground]\n",
@@ -119,7 +119,7 @@ fn fuzz_scene_loader() {
 
 fn opened(scene: &Scene, outcome: &mut DefaultHasher) {
     let mechanism = &scene.mechanism;
-    if mechanism.links().len() > MOST_LINKS {
+    if mechanism.links().len() > MAX_LINKS {
         return;
     }
     let solver = match Solver::new(mechanism) {

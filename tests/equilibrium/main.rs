@@ -25,7 +25,7 @@ use std::collections::BTreeMap;
 /// Number of machines in an ordinary run.
 const ORDINARY: u64 = 200;
 /// Maximum number of groups of a machine.
-const MOST_GROUPS: usize = 4;
+const MAX_GROUPS: usize = 4;
 /// Maximum difference of two results, relative to the largest term.
 const AGREE: f64 = 1e-9;
 /// Maximum condition number of equations that are compared so precisely.
@@ -62,7 +62,7 @@ fn forces_satisfy_newton_euler_in_every_topology() {
         if seen.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance(seed), MOST_GROUPS, |v| v) else {
+        let Some(machine) = machine(&mut Chance(seed), MAX_GROUPS, |v| v) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut seen) {

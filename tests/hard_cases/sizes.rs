@@ -155,8 +155,8 @@ fn h09_scaling_by_power_of_two_is_exact() {
 /// Subnormal lengths, as H19 requires: they are scaled first.
 #[test]
 fn h09_subnormal_lengths_move_like_normal_ones() {
-    const SMALLEST: f64 = 5e-324;
-    let (plain, tiny) = (LECTURE.open(), LECTURE.scaled(SMALLEST).open());
+    const MIN_SIZE: f64 = 5e-324;
+    let (plain, tiny) = (LECTURE.open(), LECTURE.scaled(MIN_SIZE).open());
     assert_eq!(plain.solver.motion().range, tiny.solver.motion().range);
     let (one, other) = (plain.at(60.0), tiny.at(60.0));
     for link in [plain.coupler, plain.rocker] {
@@ -164,7 +164,7 @@ fn h09_subnormal_lengths_move_like_normal_ones() {
         assert_eq!(one.omega(link).unwrap(), other.omega(link).unwrap());
         assert_eq!(one.alpha(link).unwrap(), other.alpha(link).unwrap());
     }
-    let c = Vec2::new(311.0, 234.0) * SMALLEST;
+    let c = Vec2::new(311.0, 234.0) * MIN_SIZE;
     assert_eq!(other.position(tiny.joint).unwrap(), c);
 }
 

@@ -3,7 +3,7 @@
 use crate::claims::{assert_told, pane, said};
 use crate::screen::{SCREENS, Session, folder, open, text};
 use krank::drawing::Glyphs;
-use krank::scene::LARGEST_FILE;
+use krank::scene::MAX_FILE_SIZE;
 use krank::tui::Origin;
 use std::fs;
 use std::time::Duration;
@@ -201,8 +201,8 @@ fn hostile_folders_are_listed_without_harm() {
         "escape\u{1b}[2J\n\u{202e}.toml",
         text("four-bar").as_bytes(),
     );
-    put("huge.toml", &vec![b'#'; LARGEST_FILE + 1]);
-    put("large.toml", &vec![b'#'; LARGEST_FILE]);
+    put("huge.toml", &vec![b'#'; MAX_FILE_SIZE + 1]);
+    put("large.toml", &vec![b'#'; MAX_FILE_SIZE]);
     put("latin.toml", b"name = \"\xe4\"");
     put("nought.toml", &[0; 64]);
     let raw = std::ffi::OsStr::from_bytes(b"raw\xff\xfe.toml");

@@ -4,12 +4,12 @@ use crate::wording::words;
 
 /// Maximum length of a text to compare. A longer one is not a typing error, and the cost is the
 /// product of the lengths.
-const LONGEST: usize = 64;
+const MAX_LEN: usize = 64;
 
 /// Returns the known word closest to a text, if it is similar enough. A difference in case counts
 /// as distance zero.
 pub fn nearest<'k>(text: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
-    if text.len() > LONGEST {
+    if text.len() > MAX_LEN {
         return None;
     }
     let allowed = 1 + text.chars().count() / 4;

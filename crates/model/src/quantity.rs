@@ -25,7 +25,7 @@ pub use formulas::check_figures;
 pub use hidden::{Hidden, Reason};
 pub use leaving::MotionLeaves;
 pub use sensitivity::length_name;
-pub use sensitivity::{Derivatives, MOST_DERIVATIVES, Sensitivity};
+pub use sensitivity::{Derivatives, MAX_DERIVATIVES, Sensitivity};
 pub use stand::DriverStand;
 pub use subject::{Aspect, Share, Subject};
 pub use units::{known_unit, other_units, rate_unit, unit_factor};

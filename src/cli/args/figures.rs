@@ -145,7 +145,7 @@ pub(in crate::cli) struct SweepArgs {
 }
 
 /// More positions take minutes and find no larger error.
-const MOST_POSITIONS: i64 = 1_000_000;
+const MAX_POSITIONS: i64 = 1_000_000;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct AccuracyArgs {
@@ -153,7 +153,7 @@ pub(in crate::cli) struct AccuracyArgs {
     #[arg(default_value = "four-bar")]
     pub(in crate::cli) scene: PathBuf,
     #[arg(help = words().positions_to_compare())]
-    #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MOST_POSITIONS))]
+    #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MAX_POSITIONS))]
     pub(in crate::cli) positions: u32,
     #[arg(help = words().how_to_write())]
     #[arg(long, value_enum, default_value_t = OutputFormat::Text)]

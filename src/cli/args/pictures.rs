@@ -63,21 +63,21 @@ pub(in crate::cli) struct Size {
 }
 
 /// Nobody looks at more characters than this; memory is for something else.
-const LARGEST_SIDE: u16 = 2000;
+const MAX_SIDE: u16 = 2000;
 
 impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let sides = text.split_once(['x', 'X']);
-        let side = |text: &str| text.parse().ok().filter(|n| (1..=LARGEST_SIDE).contains(n));
+        let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
         let size = sides.and_then(|(cols, rows)| {
             Some(Size {
                 cols: side(cols)?,
                 rows: side(rows)?,
             })
         });
-        size.ok_or_else(|| words().size_is_meant(&LARGEST_SIDE))
+        size.ok_or_else(|| words().size_is_meant(&MAX_SIDE))
     }
 }
 
@@ -104,23 +104,23 @@ impl FromStr for PaperScale {
                 .filter(|n: &f64| n.is_normal() && *n > 0.0)
         };
         let factor = sides.and_then(|(paper, linkage)| Some(side(paper)? / side(linkage)?));
-        let factor = factor.filter(|factor| (1.0 / LARGEST_SCALE..=LARGEST_SCALE).contains(factor));
+        let factor = factor.filter(|factor| (1.0 / MAX_SCALE..=MAX_SCALE).contains(factor));
         factor
             .map(PaperScale)
-            .ok_or_else(|| words().scale_is_meant(LARGEST_SCALE))
+            .ok_or_else(|| words().scale_is_meant(MAX_SCALE))
     }
 }
 
 /// Nothing is drawn so much larger or smaller: ISO 5455 ends at 1:10000.
-const LARGEST_SCALE: f64 = 10_000.0;
+const MAX_SCALE: f64 = 10_000.0;
 
 /// More positions would hide each other.
-const MOST_GHOSTS: i64 = 360;
+const MAX_GHOSTS: i64 = 360;
 
 /// No screen is wider.
-const MOST_PIXELS: i64 = 8192;
+const MAX_PIXELS: i64 = 8192;
 /// Nobody watches a turn for longer.
-const MOST_SECONDS: i64 = 60;
+const MAX_SECONDS: i64 = 60;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct DrawArgs {
@@ -141,7 +141,7 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(long)]
     pub(in crate::cli) forces: bool,
     #[arg(help = words().draw_ghosts())]
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MOST_GHOSTS))]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_GHOSTS))]
     pub(in crate::cli) ghosts: u16,
     #[arg(help = words().names_to_write())]
     #[arg(long, value_enum, default_value_t)]
@@ -165,13 +165,13 @@ pub(in crate::cli) struct DrawArgs {
     #[arg(long, value_name = "PAPER:LINKAGE")]
     pub(in crate::cli) scale: Option<PaperScale>,
     #[arg(help = words().width_in_pixels())]
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(16..=MOST_PIXELS))]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(16..=MAX_PIXELS))]
     pub(in crate::cli) width: Option<u16>,
     #[arg(help = words().on_a_dark_ground())]
     #[arg(long)]
     pub(in crate::cli) dark: bool,
     #[arg(help = words().seconds_of_turn())]
-    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=MOST_SECONDS))]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=MAX_SECONDS))]
     pub(in crate::cli) seconds: Option<u16>,
     #[command(flatten)]
     pub(in crate::cli) output: OutputArgs,

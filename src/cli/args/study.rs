@@ -54,7 +54,7 @@ impl FromStr for StudyPart {
 }
 
 /// More threads than that no machine has.
-const MOST_THREADS: i64 = 1024;
+const MAX_THREADS: i64 = 1024;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct StudyArgs {
@@ -82,7 +82,7 @@ pub(in crate::cli) struct StudyArgs {
     #[arg(long, requires = "output")]
     pub(in crate::cli) resume: bool,
     #[arg(help = words().threads_of_study())]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MOST_THREADS))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MAX_THREADS))]
     pub(in crate::cli) threads: Option<u16>,
     #[arg(help = words().how_to_write_study())]
     #[arg(long, value_enum, default_value_t = StudyFormat::Csv)]

@@ -44,7 +44,7 @@ impl BandChoice {
 }
 
 /// More machines take memory and tell no more.
-const MOST_SAMPLES: i64 = 10_000_000;
+const MAX_SAMPLES: i64 = 10_000_000;
 
 #[derive(Debug, Args)]
 pub(in crate::cli) struct ToleranceArgs {
@@ -84,7 +84,7 @@ pub(in crate::cli) struct ToleranceArgs {
     #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
     pub(in crate::cli) tolerance: Option<String>,
     #[arg(help = words().machines_by_chance())]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MOST_SAMPLES))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MAX_SAMPLES))]
     pub(in crate::cli) samples: Option<u32>,
     #[arg(help = words().seed_of_samples())]
     #[arg(long, value_name = "N", default_value_t = 1)]

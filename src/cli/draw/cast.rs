@@ -2,7 +2,7 @@
 //! output is 7-bit and has no time stamp, so that equal scenes give equal bytes.
 
 use super::turn::{self, RATE};
-use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
+use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
 use crate::cli::picture::{USUAL, lettered};
@@ -29,7 +29,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let glyphs = drawn.args.glyphs.asked().unwrap_or(Glyphs::Braille);
     let legend_of = |view: &WorldView| {
         let entries = drawn.overlay.legend(view, 1.0);
-        drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
+        drawing::legend_lines(&entries, glyphs, usize::from(cols), MAX_LEGEND)
     };
     let lines = u16::try_from(legend_of(&drawn.whole_view(size)).len()).unwrap_or(0);
     let view = drawn.whole_view(Size {

@@ -34,7 +34,7 @@ use crate::{Mechanism, PointId};
 const DOCUMENT_COLUMNS: u16 = 100;
 const DOCUMENT_ROWS: u16 = 50;
 /// Maximum number of lines of a legend.
-const MOST_LEGEND: usize = 2;
+const MAX_LEGEND: usize = 2;
 
 pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
     args.format.check(args)?;

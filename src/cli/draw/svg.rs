@@ -13,8 +13,8 @@ use crate::wording::words;
 /// Width of a column on paper, in millimetres: eight units at 96 per inch.
 const COLUMN_ON_PAPER: f64 = 8.0 * 25.4 / 96.0;
 /// Minimum and maximum number of columns of a drawing to scale.
-const LEAST_COLUMNS: f64 = 40.0;
-const MOST_COLUMNS: f64 = 1000.0;
+const MIN_COLUMNS: f64 = 40.0;
+const MAX_COLUMNS: f64 = 1000.0;
 
 pub(super) static FORMAT: DrawFormat = DrawFormat {
     name: "svg",
@@ -47,7 +47,7 @@ fn to_scale(drawn: &DrawnScene<'_>, usual: WorldView, scale: f64) -> (WorldView,
         Some(_) => usual,
         None => {
             let wish = f64::from(usual.cols()) * per_column(&usual) / COLUMN_ON_PAPER;
-            let cols = wish.clamp(LEAST_COLUMNS, MOST_COLUMNS) as u16;
+            let cols = wish.clamp(MIN_COLUMNS, MAX_COLUMNS) as u16;
             WorldView::snug(cols, |rows| drawn.view(Size { cols, rows }))
         }
     };

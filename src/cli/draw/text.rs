@@ -1,6 +1,6 @@
 //! Writes a drawing in characters.
 
-use super::{DrawFormat, DrawnScene, FormatOption, MOST_LEGEND};
+use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
 use crate::cli::args::Size;
 use crate::cli::failure::Failure;
 use crate::cli::picture::{self, lettered};
@@ -22,7 +22,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let view = |rows| drawn.view(Size { cols, rows });
     let legend = |view: &WorldView| {
         let entries = drawn.overlay.legend(view, 1.0);
-        drawing::legend_lines(&entries, glyphs, usize::from(cols), MOST_LEGEND)
+        drawing::legend_lines(&entries, glyphs, usize::from(cols), MAX_LEGEND)
     };
     // The number of lines hardly depends on the view's height.
     let lines = u16::try_from(legend(&view(rows)).len()).unwrap_or(0);

@@ -104,7 +104,7 @@ impl Decades {
             let rows: Vec<i32> = rows.collect();
             rows.windows(2).all(|pair| pair[0] == pair[1])
         };
-        (LEAST..=rows).rev().find(is_even).unwrap_or(rows)
+        (MIN_VALUE..=rows).rev().find(is_even).unwrap_or(rows)
     }
 
     /// Returns the exponents to label along `cells` cells: as many as leave `room` cells to each.
@@ -123,7 +123,7 @@ impl Decades {
 /// below.
 const FRAME_ROWS: i32 = 3;
 /// Minimum number of rows and of columns of a chart's points.
-const LEAST: i32 = 2;
+const MIN_VALUE: i32 = 2;
 /// Minimum distance of labels of the vertical axis, in rows.
 const LABEL_ROWS: i32 = 2;
 
@@ -142,7 +142,7 @@ impl Chart {
         let labels = upright.ticks(height, 1).map(self.y.label);
         let margin = labels.map(|label| length(&label)).max().unwrap_or(0);
         let width = i32::from(cols) - margin - 1;
-        if height < LEAST || width < LEAST {
+        if height < MIN_VALUE || width < MIN_VALUE {
             return raster;
         }
         let level = Decades::around(data.iter().map(|d| d.x));

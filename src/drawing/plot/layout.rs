@@ -11,14 +11,14 @@ use std::ops::Range;
 const FOOT: i32 = 2;
 /// Rows of the legend above each panel, and minimum rows of a panel.
 const LEGEND: i32 = 1;
-const LEAST_BODY: i32 = 4;
+const MIN_BODY: i32 = 4;
 /// Minimum size of a readable plot.
-const LEAST_ROWS: i32 = FOOT + LEGEND + 2;
-const LEAST_COLS: i32 = 16;
+const MIN_ROWS: i32 = FOOT + LEGEND + 2;
+const MIN_COLS: i32 = 16;
 /// The distance from the edge of the first and the last cell to its middle.
 const INSET: f64 = 0.5;
 /// Maximum relative lengthening of an axis, which moves its ticks to the middle of rows.
-const MOST_LONGER: f64 = 0.4;
+const MAX_STRETCH: f64 = 0.4;
 /// Maximum relative lengthening beyond the shortest axis in exchange for more ticks.
 const LONGER: f64 = 0.15;
 /// Number of round steps to try, from the first that fits.
@@ -29,13 +29,13 @@ const FLAT: f64 = 1e-12;
 const ROUNDED: f64 = 1e-9;
 /// Minimum rows from one label to the next, and maximum number of labels of an axis.
 const LABEL_ROWS: i32 = 2;
-const MOST_LABELS: usize = 9;
+const MAX_LABELS: usize = 9;
 /// Blanks between two labels of the horizontal axis.
 const LABEL_GAP: i32 = 2;
 /// Blanks between the unit and the label after it.
 const UNIT_GAP: i32 = 2;
 /// A limit above any number of units.
-const MOST_PANELS: i32 = 1000;
+const MAX_PANELS: i32 = 1000;
 /// Height in rows above which a panel's legend may take two rows.
 const TALL: i32 = 7;
 
@@ -140,7 +140,7 @@ impl CellScale {
 
 /// Returns how many of `panels` panels fit into `rows` rows; at least one.
 fn shown(panels: usize, rows: i32) -> usize {
-    let room = (rows - FOOT) / (LEGEND + LEAST_BODY);
+    let room = (rows - FOOT) / (LEGEND + MIN_BODY);
     panels.min(usize::try_from(room).unwrap_or(0).max(1))
 }
 
@@ -156,8 +156,8 @@ impl Plot {
     pub fn least_rows(&self) -> u16 {
         let panels = i32::try_from(self.panels.len())
             .unwrap_or(0)
-            .min(MOST_PANELS);
-        let rows = FOOT + panels * (LEGEND + LEAST_BODY);
+            .min(MAX_PANELS);
+        let rows = FOOT + panels * (LEGEND + MIN_BODY);
         u16::try_from(rows).unwrap_or(u16::MAX)
     }
 
@@ -176,7 +176,7 @@ impl Plot {
     /// Computes the layout; `None` if the cells do not suffice.
     pub(super) fn layout(&self, look: &PlotStyle) -> Option<PlotLayout> {
         let (cols, rows) = (i32::from(look.cols), i32::from(look.rows));
-        if self.panels.is_empty() || rows < LEAST_ROWS || cols < LEAST_COLS {
+        if self.panels.is_empty() || rows < MIN_ROWS || cols < MIN_COLS {
             return None;
         }
         let count = shown(self.panels.len(), rows);
@@ -220,7 +220,7 @@ impl Plot {
         let widest = panels.iter().map(|(_, frame)| frame.ticks.widest()).max();
         let axis = i32::try_from(widest.unwrap_or(0)).unwrap_or(cols);
         let (left, width) = (axis + 1, cols - axis - 1);
-        if width < LEAST_COLS / 2 {
+        if width < MIN_COLS / 2 {
             return None;
         }
         let (mut low, mut high) = (self.x.low, self.x.high);
@@ -259,7 +259,7 @@ impl Plot {
 /// are not much longer than the shortest one, the one with the most ticks is chosen.
 fn upright_axis(y: &Axis, top: i32, height: i32) -> (CellScale, Ticks) {
     let found = (LABEL_ROWS..height).flat_map(|every| aligned(y, height, every));
-    let found: Vec<AlignedAxis> = found.filter(|axis| axis.longer <= MOST_LONGER).collect();
+    let found: Vec<AlignedAxis> = found.filter(|axis| axis.longer <= MAX_STRETCH).collect();
     let shortest = found.iter().map(|axis| axis.longer).reduce(f64::min);
     let near = |axis: &&AlignedAxis| shortest.is_some_and(|least| axis.longer <= least + LONGER);
     let order = |a: &&AlignedAxis, b: &&AlignedAxis| {
@@ -421,7 +421,7 @@ pub(super) fn unit_place(last: &LevelLabel, unit: &str, end: i32) -> (i32, i32) 
 /// Returns the maximum number of labels next to a vertical axis of `height` rows.
 fn labels(height: i32) -> usize {
     let most = usize::try_from((height + 1) / LABEL_ROWS).unwrap_or(0);
-    most.clamp(2, MOST_LABELS)
+    most.clamp(2, MAX_LABELS)
 }
 
 /// Returns the ranges along x and y, one of them enlarged so that lengths have the same scale along

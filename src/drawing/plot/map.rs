@@ -26,7 +26,7 @@ const BESIDE: usize = 4;
 /// Rows of the text above and below the map: names, the axis and its labels, the legend.
 const ABOVE_AND_BELOW: usize = 8;
 /// Minimum columns and rows of a map.
-const LEAST_SIDE: usize = 4;
+const MIN_SIDE: usize = 4;
 
 /// A value on a grid of two variables.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,10 +113,10 @@ impl GridMap {
         let labels = ends.iter().map(String::len).max().unwrap_or(0) + 2;
         let width = usize::from(cols)
             .saturating_sub(labels + BESIDE)
-            .max(LEAST_SIDE);
+            .max(MIN_SIDE);
         let height = usize::from(rows)
             .saturating_sub(ABOVE_AND_BELOW)
-            .max(LEAST_SIDE);
+            .max(MIN_SIDE);
         let mut text = format!("{}\n{}\n", self.titled(), self.up.title());
         for line in 0..height {
             let row = self.up.nearest(height - 1 - line, height);

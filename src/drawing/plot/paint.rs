@@ -27,9 +27,9 @@ const GAP: i32 = 3;
 const MORE: i32 = 4;
 /// Distance of symbols on a line, as a divisor of the panel's width, and its minimum in cells.
 const APART: i32 = 5;
-const LEAST_APART: i32 = 8;
+const MIN_DISTANCE: i32 = 8;
 /// Maximum distance of a text from its extremum, in rows, inside the arch.
-const DEEPEST: i32 = 2;
+const MAX_DEPTH: i32 = 2;
 /// Maximum number of columns, to each side of an extremum, in which the curve stays in its row, for
 /// a text written after it.
 const FLATTEST: i32 = 10;
@@ -294,7 +294,7 @@ impl PlotPainter<'_> {
 
     fn curves(&self, panel: &Panel, frame: &PanelArea, raster: &mut Raster) {
         let count = i32::try_from(panel.curves.len()).unwrap_or(1);
-        let every = (frame.block.width / APART).max(LEAST_APART);
+        let every = (frame.block.width / APART).max(MIN_DISTANCE);
         let alone = panel.curves.iter().filter(|line| !line.is_dotted).count() == 1;
         let pens = (0..).zip(&panel.curves).map(|(i, line)| {
             let number = usize::try_from(i).unwrap_or(0);
@@ -401,7 +401,7 @@ impl PlotPainter<'_> {
 
 /// Returns the places where the text of an extremum hides nothing. Places close to it come first.
 /// Then come places in its row after the flat part of the curve. The last ones are inside the arch,
-/// up to `DEEPEST` rows `inwards`.
+/// up to `MAX_DEPTH` rows `inwards`.
 fn seats<'r>(
     raster: &'r Raster,
     (col, row): (i32, i32),
@@ -420,7 +420,7 @@ fn seats<'r>(
         let places = free_places(raster, (to, row), text);
         places.into_iter().filter(move |place| place.1 == row)
     });
-    let inside = (1..=DEEPEST)
+    let inside = (1..=MAX_DEPTH)
         .flat_map(move |depth| free_places(raster, (col, row + inwards * depth), text));
     close.chain(aside).chain(inside)
 }

@@ -26,7 +26,7 @@ impl Ticks {
         let size = high - low;
         let largest = low.abs().max(high.abs());
         // Doubles do not resolve multiples of smaller ranges.
-        let is_some = size > largest * LEAST_PART && size.is_finite();
+        let is_some = size > largest * MIN_PART && size.is_finite();
         if !is_some || most == 0 {
             return none;
         }
@@ -69,7 +69,7 @@ impl Ticks {
 }
 
 /// The range below which an axis has no ticks, relative to its values.
-const LEAST_PART: f64 = 1e-13;
+const MIN_PART: f64 = 1e-13;
 
 /// Tolerance, in steps, within which an end counts as a multiple.
 const SLACK: f64 = 1e-9;
@@ -120,9 +120,9 @@ const SMALL: f64 = 1e-4;
 const DIGITS: i32 = 5;
 const CHANGING: i32 = 4;
 /// Maximum number of decimals.
-const MOST_DECIMALS: i32 = 14;
+const MAX_DECIMALS: i32 = 14;
 /// The relative change below which a value counts as constant.
-const LEAST_CHANGE: f64 = 1e-12;
+const MIN_CHANGE: f64 = 1e-12;
 
 impl TickStyle {
     /// Chooses a format for multiples of a step up to a size.
@@ -140,13 +140,13 @@ impl TickStyle {
         if largest == 0.0 {
             return TickStyle::Fixed(0);
         }
-        let change = Some(high - low).filter(|&c| c > largest * LEAST_CHANGE);
+        let change = Some(high - low).filter(|&c| c > largest * MIN_CHANGE);
         let digits = (DIGITS - 1) - exponent(largest);
         let digits = change.map_or(digits, |c| digits.max(CHANGING - 1 - exponent(c)));
         if !(SMALL..LARGE * 10.0).contains(&largest) {
             return TickStyle::Exponent(-digits);
         }
-        TickStyle::Fixed(usize::try_from(digits.min(MOST_DECIMALS)).unwrap_or(0))
+        TickStyle::Fixed(usize::try_from(digits.min(MAX_DECIMALS)).unwrap_or(0))
     }
 
     /// Formats a number; zero has no sign.

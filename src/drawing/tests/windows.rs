@@ -136,7 +136,7 @@ fn large_view_cuts_no_rings_or_labels() {
 fn following_view_moves_without_jumps() {
     /// Number of frames in a turn of four seconds.
     const FRAMES: u32 = 80;
-    const MOST: f64 = 0.1;
+    const MAX_SHARE: f64 = 0.1;
     let mut shaken = Vec::new();
     for stage in DrawingStage::presets() {
         let (low, high) = match stage.solver.motion().range {
@@ -168,7 +168,7 @@ fn following_view_moves_without_jumps() {
                 let after = at(k);
                 let pairs = before.1.iter().zip(&after.1);
                 let own = pairs.map(|(a, b)| share(before.0.cell(*b) - before.0.cell(*a)));
-                let most = MOST + own.fold(0.0, f64::max);
+                let most = MAX_SHARE + own.fold(0.0, f64::max);
                 for corner in [Vec2::ZERO, Vec2::new(f64::from(cols), f64::from(rows))] {
                     let moved = share(after.0.cell(before.0.world(corner)) - corner);
                     if moved > most {

@@ -10,7 +10,7 @@ use super::{Margin, Reach, WorldView};
 use crate::Vec2;
 
 /// Minimum fraction of the window's width or height that a linkage fills.
-const LEAST_FILL: f64 = 0.6;
+const MIN_FILL: f64 = 0.6;
 
 /// Number of zoom steps per factor of two, and of steps in position across the window.
 const STEPS_OF_TWO: f64 = 24.0;
@@ -79,12 +79,12 @@ impl WorldView {
 fn nearer(reach: &Reach, size: WindowSize) -> Option<f64> {
     let whole = WorldView::fit(reach, size.cols, size.rows, size.aspect);
     let mut poses = reach.poses().some();
-    if poses.all(|(pose, _)| whole.fill(pose) >= LEAST_FILL) {
+    if poses.all(|(pose, _)| whole.fill(pose) >= MIN_FILL) {
         return None;
     }
     let is_large = |nearer: &f64| {
         let mut poses = reach.poses().some();
-        poses.all(|(pose, room)| near(reach, room, *nearer, size).fill(pose) >= LEAST_FILL)
+        poses.all(|(pose, room)| near(reach, room, *nearer, size).fill(pose) >= MIN_FILL)
     };
     let found = NEARER.into_iter().find(is_large);
     Some(found.unwrap_or(1.0))

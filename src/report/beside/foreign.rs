@@ -8,7 +8,7 @@ use crate::study::WrittenFigure;
 use crate::wording::words;
 
 /// Maximum number of rows.
-const MOST_ROWS: usize = 100_000;
+const MAX_ROWS: usize = 100_000;
 
 /// Values from notes or from another program. The table is a list with a row for each value
 /// (`figure, unit, value`, the unit optional), or a table over the driver's coordinate as
@@ -111,7 +111,7 @@ impl ForeignFigures {
             lines,
             encoding,
             ..
-        } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoFigures::TooLong)?;
+        } = ReadCells::read(bytes, MAX_ROWS).ok_or(NoFigures::TooLong)?;
         let is_figure = |cells: &Vec<String>| cells.iter().any(|cell| number(cell).is_some());
         match rows.iter().any(is_figure) && rows.iter().any(|cells| cells.len() > 1) {
             true => Ok(ForeignFigures {
@@ -313,7 +313,7 @@ mod tests {
             let read = ForeignFigures::read("x.csv", text.as_bytes());
             assert_eq!(read, Err(NoFigures::Nothing), "{text}");
         }
-        let long = "a,1\n".repeat(MOST_ROWS + 1);
+        let long = "a,1\n".repeat(MAX_ROWS + 1);
         assert_eq!(
             ForeignFigures::read("x.csv", long.as_bytes()),
             Err(NoFigures::TooLong)

@@ -15,7 +15,7 @@ const HEADS: [&str; 3] = ["figure", "unit", "answer"];
 const SHEET: &str = "sheet";
 const STUDENT: &str = "student";
 /// Maximum number of rows.
-const MOST_ROWS: usize = 10_000;
+const MAX_ROWS: usize = 10_000;
 
 /// Writes an empty answer file for a sheet of this name.
 ///
@@ -54,7 +54,7 @@ pub fn is_blank(bytes: &[u8], key: &AnswerKey, sheet: &str) -> bool {
         row => *row == HEADS,
     };
     // A file with too many rows is not an empty answer file.
-    ReadCells::read(bytes, MOST_ROWS).is_some_and(|read| {
+    ReadCells::read(bytes, MAX_ROWS).is_some_and(|read| {
         read.rows.iter().all(|row| {
             let cells: Vec<&str> = row.iter().map(String::as_str).collect();
             let last = cells.iter().rposition(|cell| !cell.is_empty());
@@ -132,7 +132,7 @@ impl AnswerFile {
             lines,
             separator,
             encoding,
-        } = ReadCells::read(bytes, MOST_ROWS).ok_or(NoAnswers::TooLong)?;
+        } = ReadCells::read(bytes, MAX_ROWS).ok_or(NoAnswers::TooLong)?;
         let mut file = AnswerFile {
             encoding,
             ..AnswerFile::default()
@@ -432,7 +432,7 @@ mod tests {
             let read = AnswerFile::read(text.as_bytes());
             assert_eq!(read, Err(NoAnswers::NoFigure), "{text}");
         }
-        let long = "a.b,,1\n".repeat(MOST_ROWS + 1);
+        let long = "a.b,,1\n".repeat(MAX_ROWS + 1);
         assert_eq!(AnswerFile::read(long.as_bytes()), Err(NoAnswers::TooLong));
     }
 

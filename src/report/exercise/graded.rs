@@ -117,7 +117,7 @@ fn in_words(cell: &StrangeCell) -> String {
 
 /// Significant digits of exact values, and maximum length of an answer in a sentence.
 const DIGITS: usize = 6;
-const LONGEST: usize = 24;
+const MAX_LEN: usize = 24;
 
 impl GradedAnswers {
     /// Grades the answers from the file of this path. Without a student's name in the file, the
@@ -287,7 +287,7 @@ impl GradedFigure {
 /// Returns the text of a cell, sanitized and truncated for display.
 fn shortened(text: &str) -> String {
     let clean = crate::scene::sanitized(text, false);
-    match clean.char_indices().nth(LONGEST) {
+    match clean.char_indices().nth(MAX_LEN) {
         Some((end, _)) => clean[..end].to_owned() + "...",
         None => clean,
     }

@@ -16,7 +16,7 @@ const SOUGHT: &str = "?";
 /// Digits of computed given values, such as the length of the frame.
 const DIGITS: usize = 9;
 /// Maximum number of digits of a typed value; longer ones were computed from typed values.
-const MOST_DIGITS: usize = 12;
+const MAX_DIGITS: usize = 12;
 /// Suffixes of the requested values of a point.
 const POINT_ENDS: [&str; 4] = [".v", ".a", ".v.angle", ".a.angle"];
 /// Digits of a speed in the unit of the tables, shown after the given one.
@@ -185,7 +185,7 @@ fn rate_told(scene: &Scene, measures: [Measure; 2], value: f64, unit: &str) -> S
 
 /// Formats a given value with all typed digits.
 fn figure(value: f64) -> String {
-    without_noughts(concise(value, MOST_DIGITS))
+    without_noughts(concise(value, MAX_DIGITS))
 }
 
 /// Formats a point by its coordinates.

@@ -5,7 +5,7 @@ use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
 use crate::report::motor::NOTHING;
 use crate::report::number::{self, concise, significant};
 use crate::study::motor::{
-    Cycle, DriveEffort, LARGEST_FLUCTUATION, MotorDemand, Rule, SMALL_FLUCTUATION,
+    Cycle, DriveEffort, MAX_FLUCTUATION, MotorDemand, Rule, SMALL_FLUCTUATION,
 };
 use crate::wording::words;
 
@@ -117,7 +117,7 @@ pub(super) fn is_constant(effect: &DriveEffort) -> bool {
 /// is impossible.
 pub(super) fn rough(says: String, fluctuation: f64) -> String {
     match fluctuation {
-        share if share > LARGEST_FLUCTUATION => words().impossible(&says),
+        share if share > MAX_FLUCTUATION => words().impossible(&says),
         share if share > SMALL_FLUCTUATION => words().roughly(&says),
         _ => says,
     }

@@ -13,7 +13,7 @@ use crate::wording::words;
 use std::sync::Arc;
 
 /// Maximum number of points for which component vectors are drawn; more would hide each other.
-const MOST_IN_PARTS: usize = 8;
+const MAX_COMPONENT_POINTS: usize = 8;
 /// Vectors below this fraction of the longest one are rounding errors, or too short to be visible.
 const SEEN: f64 = 1e-3;
 
@@ -183,7 +183,7 @@ fn from_pole(motions: &[&PointMotion], order: Order, unit: &str) -> VectorDiagra
         let symbol = &motion.symbols[usize::from(!is_velocity)];
         diagram.add(Vec2::ZERO, whole(motion), symbol, ArrowKind::Sought);
     }
-    if motions.len() > MOST_IN_PARTS {
+    if motions.len() > MAX_COMPONENT_POINTS {
         return diagram;
     }
     for motion in seen() {

@@ -18,7 +18,7 @@ const FREE: (u16, u16) = (64, 26);
 const FREE_CHARACTERS: (u16, u16) = (76, 20);
 const ASPECT: f64 = 2.0;
 /// Maximum number of links for which free-body diagrams are drawn.
-const MOST_CUT_FREE: usize = 12;
+const MAX_FREE_BODIES: usize = 12;
 /// Maximum distance of an instant centre from the middle, relative to the size of the linkage; a
 /// farther one would make the linkage too small.
 const NEAR: f64 = 1.5;
@@ -39,7 +39,7 @@ impl ReportedState<'_> {
         let mechanism = &self.scene.mechanism;
         let links = || mechanism.link_ids().filter(|_| exist);
         // With more links there would be too many pictures.
-        let is_small = links().count() <= MOST_CUT_FREE;
+        let is_small = links().count() <= MAX_FREE_BODIES;
         let mut is_apart = false;
         for block in blocks {
             // The block after a picture keeps the spacing that it would have had.

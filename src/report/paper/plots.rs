@@ -11,7 +11,7 @@ use crate::wording::words;
 use std::sync::Arc;
 
 /// Maximum number of curves that different dashes can distinguish.
-const MOST_CURVES: usize = 5;
+const MAX_CURVES: usize = 5;
 const SIZE: Vec2 = Vec2 { x: 760.0, y: 420.0 };
 const COLUMNS: u16 = 76;
 const ROWS: u16 = 22;
@@ -29,7 +29,7 @@ impl ReportedState<'_> {
         for (order, caption) in captions.into_iter().enumerate() {
             for of in [Aspect::TURNING[order], Aspect::STRETCHING[order]] {
                 let figures = self.figures(of);
-                for some in figures.chunks(MOST_CURVES) {
+                for some in figures.chunks(MAX_CURVES) {
                     self.plot(some, caption, page);
                 }
             }

@@ -12,7 +12,7 @@ use crate::wording::words;
 use crate::{Body, PointId};
 
 /// Maximum number of unknowns for which the matrix is shown.
-const MOST_COLUMNS: usize = 12;
+const MAX_COLUMNS: usize = 12;
 
 /// Writes the positions of a group solved simultaneously.
 pub(super) fn position(context: &Context<'_>, draft: &mut Draft, stage: &Stage) {
@@ -135,7 +135,7 @@ fn between(context: &Context<'_>, side: &Side) -> Option<[Expression; 2]> {
 
 fn matrix(context: &Context<'_>, draft: &mut Draft, newton: &Newton, names: &[String]) {
     let n = names.len();
-    if n > MOST_COLUMNS {
+    if n > MAX_COLUMNS {
         draft.page.text(words().jacobian_too_large(n));
         return;
     }

@@ -7,16 +7,16 @@ use crate::tui::commands::key::Key;
 use crate::wording::words;
 
 /// Maximum length of a number, in bytes; longer ones have no meaning.
-const LONGEST_NUMBER: usize = 24;
+const MAX_NUMBER_LEN: usize = 24;
 /// Maximum length of goals and guesses, in bytes.
-const LONGEST_GOAL: usize = 4000;
+const MAX_GOAL_LEN: usize = 4000;
 /// Maximum length of a path, which is the system's limit.
-const LONGEST_NAME: usize = 4095;
+const MAX_NAME_LEN: usize = 4095;
 /// Maximum length of a name to search for, in bytes.
-const LONGEST_SOUGHT: usize = 40;
+const MAX_SEARCH_TEXT: usize = 40;
 
 /// Maximum length of searched words, in bytes.
-const LONGEST_WORDS: usize = 60;
+const MAX_WORDS_LEN: usize = 60;
 
 /// A line of text, edited at its end.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -54,7 +54,7 @@ impl EditLine {
     pub(crate) fn for_number() -> EditLine {
         EditLine {
             text: String::new(),
-            longest: LONGEST_NUMBER,
+            longest: MAX_NUMBER_LEN,
             takes: Takes::Plain,
             refusal: None,
         }
@@ -63,7 +63,7 @@ impl EditLine {
     /// Creates an empty line for a number or a formula.
     pub(crate) fn for_value() -> EditLine {
         EditLine {
-            longest: expression::LONGEST,
+            longest: expression::MAX_LEN,
             ..EditLine::for_number()
         }
     }
@@ -71,7 +71,7 @@ impl EditLine {
     /// Creates an empty line for words to search for.
     pub(crate) fn for_words() -> EditLine {
         EditLine {
-            longest: LONGEST_WORDS,
+            longest: MAX_WORDS_LEN,
             takes: Takes::Words,
             ..EditLine::for_number()
         }
@@ -80,7 +80,7 @@ impl EditLine {
     /// Creates a line for goals and the values to be varied, with the text typed before.
     pub(crate) fn for_goal(typed: &str) -> EditLine {
         let mut line = EditLine {
-            longest: LONGEST_GOAL,
+            longest: MAX_GOAL_LEN,
             ..EditLine::for_number()
         };
         typed.chars().for_each(|c| line.push(c));
@@ -95,7 +95,7 @@ impl EditLine {
     /// Creates a line for a file name, with a proposal.
     pub(crate) fn for_file(proposal: &str) -> EditLine {
         let mut line = EditLine {
-            longest: LONGEST_NAME,
+            longest: MAX_NAME_LEN,
             takes: Takes::Any,
             ..EditLine::for_number()
         };
@@ -106,7 +106,7 @@ impl EditLine {
     /// Creates an empty line for a name to search for.
     pub(crate) fn for_search() -> EditLine {
         EditLine {
-            longest: LONGEST_SOUGHT,
+            longest: MAX_SEARCH_TEXT,
             ..EditLine::for_number()
         }
     }
@@ -227,7 +227,7 @@ mod tests {
         assert_eq!(told.as_deref(), Some("\u{e4} (U+00E4) is not valid here"));
         assert_eq!(line.take_refusal(), None);
         (0..1000).for_each(|_| line.push('9'));
-        assert_eq!(line.text().len(), LONGEST_NUMBER);
+        assert_eq!(line.text().len(), MAX_NUMBER_LEN);
         let told = line.take_refusal();
         assert_eq!(
             told.as_deref(),
@@ -251,7 +251,7 @@ mod tests {
         for (mut line, most) in [
             (EditLine::for_goal(""), 1000),
             (EditLine::for_guess(""), 1000),
-            (EditLine::for_value(), expression::LONGEST),
+            (EditLine::for_value(), expression::MAX_LEN),
         ] {
             (0..most).for_each(|_| line.push('1'));
             assert_eq!(line.text().len(), most);

@@ -2,7 +2,7 @@
 
 /// Maximum number of line pairs to compare. A longer difference lists all old lines, then all new
 /// ones.
-const MOST_PAIRS: usize = 1 << 22;
+const MAX_PAIRS: usize = 1 << 22;
 
 /// Returns the differing lines with their numbers: old lines after `-`, new lines after `+`.
 pub(crate) fn difference(old: &str, new: &str) -> Vec<String> {
@@ -31,7 +31,7 @@ pub(crate) fn difference(old: &str, new: &str) -> Vec<String> {
 /// long.
 fn common(old: &[&str], new: &[&str]) -> Vec<(usize, usize)> {
     let width = new.len() + 1;
-    if old.len().saturating_mul(width) > MOST_PAIRS {
+    if old.len().saturating_mul(width) > MAX_PAIRS {
         return Vec::new();
     }
     // `count[i * width + j]` is the number of common lines of the rests from `(i, j)`.

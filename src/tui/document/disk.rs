@@ -1,7 +1,7 @@
 //! Detects that another program has written the scene's file.
 
 use crate::files::{Stamp, read_file};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -25,7 +25,7 @@ pub(crate) enum News {
 impl News {
     /// Reads the state of a file.
     pub(crate) fn of(path: &Path) -> News {
-        match read_file(path, LARGEST_FILE + BYTE_ORDER_MARK.len()) {
+        match read_file(path, MAX_FILE_SIZE + BYTE_ORDER_MARK.len()) {
             Ok(bytes) => News::Written(bytes),
             Err(e) if e.kind() == io::ErrorKind::NotFound => News::Gone,
             Err(e) => News::Unreadable(e),

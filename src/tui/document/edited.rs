@@ -260,7 +260,7 @@ mod nudges {
                     };
                     let named = format!("{} {} {sense}", preset.name, value.name);
                     let moved = farthest(&first, &edited.opened.solver);
-                    assert!(moved < MOST_MOVED, "{named}: {moved}");
+                    assert!(moved < MAX_MOVE, "{named}: {moved}");
                     let again = open_scene(edited.opened.scene.text());
                     let same = agree(again.scene(), &edited.opened.solver, again.solver());
                     assert!(same, "{named}");
@@ -271,5 +271,5 @@ mod nudges {
 
     /// Maximum displacement relative to the size of the linkage; another assembly would be farther
     /// off.
-    const MOST_MOVED: f64 = 0.1;
+    const MAX_MOVE: f64 = 0.1;
 }

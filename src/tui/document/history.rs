@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 /// Maximum number of steps kept. Each holds only its changed part.
-const MOST_STEPS: usize = 1000;
+const MAX_STEPS: usize = 1000;
 
 /// The kind of a step. Consecutive nudges of the same value merge into one step.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -113,7 +113,7 @@ impl History {
         if before != after {
             self.past.push(TextChange::between(before, after, deed));
         }
-        let surplus = self.past.len().saturating_sub(MOST_STEPS);
+        let surplus = self.past.len().saturating_sub(MAX_STEPS);
         self.past.drain(..surplus);
         joined.is_some()
     }
@@ -189,16 +189,16 @@ mod tests {
     fn history_length_is_limited() {
         let mut history = History::default();
         let text = |n: usize| format!("value = {n}");
-        for n in 0..3 * MOST_STEPS {
+        for n in 0..3 * MAX_STEPS {
             history.record(&text(n), &text(n + 1), other("n"));
         }
-        assert_eq!(history.past.len(), MOST_STEPS);
-        let mut now = text(3 * MOST_STEPS);
+        assert_eq!(history.past.len(), MAX_STEPS);
+        let mut now = text(3 * MAX_STEPS);
         while let Some((before, _)) = history.before(&now) {
             now = before;
             history.taken_back();
         }
-        assert_eq!(now, text(2 * MOST_STEPS));
+        assert_eq!(now, text(2 * MAX_STEPS));
     }
 
     proptest! {

@@ -3,7 +3,7 @@
 use crate::files::read_file;
 use crate::quantity::check_figures;
 use crate::scene::presets::Preset;
-use crate::scene::{Diagnostics, LARGEST_FILE, Scene};
+use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene};
 use crate::solver::Solver;
 use crate::task_file::TaskFile;
 use crate::tui::{Opened, Origin, TaskOrder};
@@ -47,7 +47,7 @@ pub(crate) enum OpenedFile {
 
 /// Opens a file as a scene or a task.
 pub(crate) fn file(path: &Path) -> Result<OpenedFile, Unopened> {
-    let bytes = read_file(path, LARGEST_FILE).map_err(|e| Unopened::Unread(e.to_string()))?;
+    let bytes = read_file(path, MAX_FILE_SIZE).map_err(|e| Unopened::Unread(e.to_string()))?;
     let shown = path.display().to_string();
     if TaskFile::is_meant(&bytes) {
         let file = TaskFile::read(&bytes, &shown).map_err(Unopened::Wrong)?;

@@ -1,7 +1,7 @@
 //! Saves a text to a file.
 
 use crate::files::{Saving, Trouble, save};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::tui::document::disk::{BYTE_ORDER_MARK, unmarked};
 use crate::wording::words;
 use std::io;
@@ -38,7 +38,7 @@ impl Errand {
             to: &self.to,
             records: self.records.as_deref(),
             though_read_only: self.leave.read_only,
-            most: LARGEST_FILE + BYTE_ORDER_MARK.len(),
+            most: MAX_FILE_SIZE + BYTE_ORDER_MARK.len(),
         };
         save(saving, |old| self.instead_of(old))
     }

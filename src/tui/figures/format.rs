@@ -7,9 +7,9 @@ use crate::report::Entry;
 /// Significant digits of a value of typical magnitude.
 const DIGITS: i32 = 6;
 /// Maximum number of decimals; smaller values are written with an exponent.
-const MOST_DECIMALS: i32 = 7;
+const MAX_DECIMALS: i32 = 7;
 
-/// Zero with [`MOST_DECIMALS`] decimals.
+/// Zero with [`MAX_DECIMALS`] decimals.
 const NOUGHT: &str = "0.0000000";
 
 /// The number format of a column.
@@ -61,7 +61,7 @@ impl Format {
         let digits = exponent(usual) + 1;
         let whole = digits.max(1);
         let decimals = DIGITS - digits;
-        if decimals > MOST_DECIMALS || whole > 2 * DIGITS {
+        if decimals > MAX_DECIMALS || whole > 2 * DIGITS {
             return Format {
                 decimals: None,
                 width: 11,

@@ -10,7 +10,7 @@ use crate::wording::words;
 /// Significant digits of coordinates in the list: a tenth of the reading accuracy of a drawing.
 const DIGITS: f64 = 4.0;
 /// Maximum number of groups in the list.
-const MOST_GROUPS: usize = 64;
+const MAX_GROUPS: usize = 64;
 
 /// An assembly of one group.
 #[derive(Debug)]
@@ -46,7 +46,7 @@ impl AssemblyList {
         reach: &Reach,
     ) -> Option<AssemblyList> {
         let groups = solver.plan().numbered();
-        let groups = groups.filter(|(_, g)| g.has_choices()).take(MOST_GROUPS);
+        let groups = groups.filter(|(_, g)| g.has_choices()).take(MAX_GROUPS);
         let mut rows = Vec::new();
         for (number, group) in groups {
             for choice in solver.choices(at, number) {

@@ -9,7 +9,7 @@ const BATCHES: usize = 5;
 /// Approximate duration of a batch. A batch has at least one state.
 const BATCH: Duration = Duration::from_micros(10);
 /// Maximum number of states in a batch.
-const MOST_STATES: u32 = 256;
+const MAX_STATES: u32 = 256;
 /// Maximum relative change of a measurement that does not update the displayed value: the
 /// resolution of the clock on a busy machine.
 const SAME: f64 = 0.2;
@@ -34,7 +34,7 @@ impl Cost {
         };
         // The first call warms up and determines the number of states in a batch.
         let first = time(1).max(1e-9);
-        let states = (1..=MOST_STATES)
+        let states = (1..=MAX_STATES)
             .rev()
             .find(|&n| f64::from(n) * first <= BATCH.as_secs_f64());
         let mut batches: [f64; BATCHES] = std::array::from_fn(|_| time(states.unwrap_or(1)));
@@ -94,6 +94,6 @@ mod tests {
         let mut states = 0;
         cost.measure(|| states += 1);
         assert!(cost.text().is_some());
-        assert!(states <= 1 + BATCHES as u32 * MOST_STATES, "{states}");
+        assert!(states <= 1 + BATCHES as u32 * MAX_STATES, "{states}");
     }
 }

@@ -11,7 +11,7 @@ use crate::tui::Opened;
 /// Significant digits, as in the tables.
 pub(crate) const DIGITS: usize = 6;
 /// Maximum number of links. A larger linkage would delay the frame.
-const MOST_LINKS: usize = 64;
+const MAX_LINKS: usize = 64;
 
 /// The current working, with the data to update it.
 #[derive(Debug)]
@@ -25,7 +25,7 @@ pub(crate) struct Explained {
 impl Explained {
     /// Returns `true` if the scene has few enough links for a working.
     pub(crate) fn is_possible(scene: &Scene) -> bool {
-        scene.mechanism.links().len() <= MOST_LINKS
+        scene.mechanism.links().len() <= MAX_LINKS
     }
 
     /// Creates the working at a driver state; `None` if the scene has too many links.

@@ -26,8 +26,8 @@ use std::path::PathBuf;
 
 /// Numbers of states for sizing the tables' columns; fewer if a state has very many rows.
 const SAMPLES: u16 = 72;
-const FEWEST_SAMPLES: u16 = 6;
-const MOST_ROWS: usize = 20_000;
+const MIN_SAMPLES: u16 = 6;
+const MAX_ROWS: usize = 20_000;
 
 /// An open scene at one driver coordinate.
 #[derive(Debug)]
@@ -75,7 +75,7 @@ struct LengthsQuestion {
 const MACHINES: u32 = 10_000;
 
 /// Maximum number of lengths. More would delay the frame.
-const MOST_LENGTHS: usize = 200;
+const MAX_LENGTHS: usize = 200;
 
 impl OpenScene {
     /// Opens a scene at its initial position.
@@ -340,7 +340,7 @@ impl OpenScene {
 
     /// Returns `true` if the scene has too many lengths to compute their effect.
     pub(crate) fn has_too_many_lengths(&self) -> bool {
-        self.opened.scene.mechanism.lengths().len() > MOST_LENGTHS
+        self.opened.scene.mechanism.lengths().len() > MAX_LENGTHS
     }
 
     /// Returns the effect of the lengths, if it is shown and the lengths are not too many.
@@ -556,8 +556,8 @@ fn places(
     ));
     let mechanism = &scene.mechanism;
     let rows = mechanism.points().len() + mechanism.links().len();
-    let count = u16::try_from(MOST_ROWS / rows.max(1)).unwrap_or(SAMPLES);
-    let count = count.clamp(FEWEST_SAMPLES, SAMPLES);
+    let count = u16::try_from(MAX_ROWS / rows.max(1)).unwrap_or(SAMPLES);
+    let count = count.clamp(MIN_SAMPLES, SAMPLES);
     let share = |k: u16| f64::from(k) / f64::from(count);
     let spread = (0..=count).map(|k| low + (high - low) * share(k));
     let spread = std::iter::once(driver_range.opening()).chain(spread);

@@ -18,7 +18,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// Maximum number of bytes read before a frame; a terminal's queue holds no more.
-const MOST_AT_ONCE: usize = 4096;
+const MAX_BATCH: usize = 4096;
 /// Computing time after which the second thread starts reading, and its interval between reads.
 const WATCHED: Duration = Duration::from_millis(100);
 /// Maximum time for the main thread to respond to input that ends the program.
@@ -137,7 +137,7 @@ impl Intake {
         if ready.is_empty() {
             return Ok(());
         }
-        let mut buffer = [0; MOST_AT_ONCE];
+        let mut buffer = [0; MAX_BATCH];
         match read(&self.keys, &mut buffer) {
             Ok(0) | Err(Errno::IO | Errno::NXIO) => self.hung_up = true,
             Ok(n) => self.keyboard.feed(&buffer[..n], Instant::now(), inputs),

@@ -24,7 +24,7 @@ const FRAME: Duration = Duration::from_millis(250);
 /// baud.
 const PROBE: usize = 128;
 /// Minimum length limit of a frame in bytes, even on the slowest line.
-const LEAST: f64 = 64.0;
+const MIN_VALUE: f64 = 64.0;
 /// Maximum wait for the first answer: twice its duration at 9,600 baud.
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 /// Pause between frames while it is unknown whether the terminal answers.
@@ -38,14 +38,14 @@ const PATIENCE: Duration = Duration::from_secs(4);
 /// line noise.
 const TOO_LATE: f64 = 4.0;
 /// Minimum wait for an answer, because a terminal may be briefly busy even on a fast line.
-const LEAST_PATIENCE: Duration = Duration::from_millis(200);
+const MIN_PATIENCE: Duration = Duration::from_millis(200);
 /// Maximum wait for a lost answer, whatever rate was measured while the machine was busy.
-const MOST_PATIENCE: Duration = Duration::from_secs(1);
+const MAX_PATIENCE: Duration = Duration::from_secs(1);
 /// Number of consecutive lost answers after which no more queries are sent.
-const MOST_LOST: u32 = 3;
+const MAX_LOST: u32 = 3;
 /// Maximum age of an answer for measuring the line. A later one may belong to another query or to
 /// none.
-const LONGEST_WAY: Duration = Duration::from_secs(2);
+const MAX_TRAVEL_TIME: Duration = Duration::from_secs(2);
 /// Maximum wait for an answer at exit, because the shell would take it for typed text.
 const FAREWELL: Duration = Duration::from_millis(800);
 
@@ -172,7 +172,7 @@ impl RateLimit {
             #[expect(clippy::cast_precision_loss, reason = "no frame has 2^52 bytes")]
             let bytes = asked.bytes as f64;
             let took = now.saturating_duration_since(asked.at);
-            if took <= LONGEST_WAY && asked.is_whole {
+            if took <= MAX_TRAVEL_TIME && asked.is_whole {
                 self.rate.learn(bytes, took.as_secs_f64());
             }
         }
@@ -242,9 +242,9 @@ impl RateLimit {
         let Some(expected) = self.rate.expected(bytes) else {
             return FIRST_PATIENCE;
         };
-        let patience = (TOO_LATE * expected).max(LEAST_PATIENCE.as_secs_f64());
-        let patience = patience * f64::from(1 << self.lost.min(MOST_LOST));
-        Duration::from_secs_f64(patience.min(MOST_PATIENCE.as_secs_f64()))
+        let patience = (TOO_LATE * expected).max(MIN_PATIENCE.as_secs_f64());
+        let patience = patience * f64::from(1 << self.lost.min(MAX_LOST));
+        Duration::from_secs_f64(patience.min(MAX_PATIENCE.as_secs_f64()))
     }
 
     fn give_up(&mut self, now: Instant) {
@@ -259,7 +259,7 @@ impl RateLimit {
         self.asked = None;
         self.doubtful = Some(now + PATIENCE);
         self.lost += 1;
-        if self.manner != Manner::Answers || self.lost >= MOST_LOST {
+        if self.manner != Manner::Answers || self.lost >= MAX_LOST {
             self.manner = Manner::Mute;
         }
     }
@@ -267,7 +267,7 @@ impl RateLimit {
 
 /// Returns the maximum length of a frame on a line of this rate.
 fn bytes(rate: f64) -> usize {
-    let bytes = (rate * FRAME.as_secs_f64()).max(LEAST);
+    let bytes = (rate * FRAME.as_secs_f64()).max(MIN_VALUE);
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -495,7 +495,7 @@ mod tests {
             // The query is repeated, and an answer resets the timeout.
             assert!(rate_limit.send(100, ready));
             let later = rate_limit.ready_at().unwrap() - ready;
-            assert!(later >= (ready - now).min(MOST_PATIENCE), "{later:?}");
+            assert!(later >= (ready - now).min(MAX_PATIENCE), "{later:?}");
             rate_limit.answered(ready + MOMENT);
             assert_eq!(rate_limit.ready_at(), None);
             now = ready + MOMENT;
@@ -525,7 +525,7 @@ mod tests {
         for _ in 0..5 {
             rate_limit.send(100, now);
             let ready = rate_limit.ready_at().unwrap_or(now);
-            assert!(ready - now <= MOST_PATIENCE, "{:?}", ready - now);
+            assert!(ready - now <= MAX_PATIENCE, "{:?}", ready - now);
             now = ready;
         }
     }

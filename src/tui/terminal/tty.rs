@@ -42,7 +42,7 @@ const CUT: &[u8] = b"\x18";
 /// Assumed size of a terminal that reports none, usually a serial console.
 const USUAL_SIZE: Size = Size::new(80, 24);
 /// Maximum size of a screen, which limits the memory if a terminal reports nonsense.
-const LARGEST_SIZE: Size = Size::new(1000, 400);
+const MAX_SCREEN_SIZE: Size = Size::new(1000, 400);
 
 /// The event that ended a wait.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -219,7 +219,10 @@ impl Tty {
         let told = tcgetwinsize(&self.screen).map_or((0, 0), |w| (w.ws_col, w.ws_row));
         match told {
             (0, _) | (_, 0) => USUAL_SIZE,
-            (cols, rows) => Size::new(cols.min(LARGEST_SIZE.width), rows.min(LARGEST_SIZE.height)),
+            (cols, rows) => Size::new(
+                cols.min(MAX_SCREEN_SIZE.width),
+                rows.min(MAX_SCREEN_SIZE.height),
+            ),
         }
     }
 

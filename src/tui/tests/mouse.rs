@@ -18,8 +18,8 @@ use ratatui::layout::{Position, Size};
 const COLS: u16 = 80;
 const ROWS: u16 = 24;
 /// The largest screen in these tests.
-const WIDEST: u16 = 120;
-const HIGHEST: u16 = 40;
+const MAX_WIDTH: u16 = 120;
+const MAX_HEIGHT: u16 = 40;
 
 /// Opens a preset on a screen of 80 by 24 cells, presses keys, and paints it.
 fn bench(preset: &str, keys: &str) -> Workbench {
@@ -50,7 +50,7 @@ fn point(bench: &mut Workbench, deed: MouseDeed, at: Position) {
 
 /// Returns the cell of the drawing nearest to a position in the scene, and the cell's height there.
 fn cell(bench: &Workbench, place: Vec2) -> (Position, f64) {
-    let columns = (0..WIDEST).flat_map(|x| (0..HIGHEST).map(move |y| Position::new(x, y)));
+    let columns = (0..MAX_WIDTH).flat_map(|x| (0..MAX_HEIGHT).map(move |y| Position::new(x, y)));
     let seen = columns.filter_map(|at| Some((at, bench.place(at)?)));
     let away = |seen: &SeenPlace| (seen.place - place).norm();
     let near = seen.min_by(|a, b| away(&a.1).total_cmp(&away(&b.1)));

@@ -17,7 +17,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 /// Maximum width of a group's name; longer names are cut.
-const LONGEST_NAME: usize = 9;
+const MAX_NAME_LEN: usize = 9;
 /// Columns between two parts of a row.
 const GAP: u16 = 1;
 
@@ -62,7 +62,7 @@ impl Widths {
 }
 
 fn name(row: &AssemblyRow) -> String {
-    cut(&row.name, LONGEST_NAME)
+    cut(&row.name, MAX_NAME_LEN)
 }
 
 fn render_row(

@@ -8,7 +8,7 @@
 //! 40 x 12 show more
 //! ```
 
-use super::{LEAST, SMALLEST, cut, has_words, print, question, row, status};
+use super::{MIN_SIZE, MIN_VALUE, cut, has_words, print, question, row, status};
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
@@ -19,7 +19,7 @@ use ratatui::layout::Rect;
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = theme::part(ScreenPart::Text);
     if !has_words(app.size()) {
-        let needed = words().screen_too_small(LEAST.width, LEAST.height);
+        let needed = words().screen_too_small(MIN_VALUE.width, MIN_VALUE.height);
         print(buffer, area.x, area.y, area.width, &needed, text);
         return;
     }
@@ -43,7 +43,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
         put(y, &line);
     }
     if *app.mode() == Mode::Normal {
-        let more = words().more_is_shown(SMALLEST.width, SMALLEST.height);
+        let more = words().more_is_shown(MIN_SIZE.width, MIN_SIZE.height);
         put(area.height - 1, &more);
     } else {
         let _ = status::line(app, row(area, area.height - 1), buffer);

@@ -44,14 +44,14 @@ const SHARES: [f64; 2] = [0.5, 0.4];
 /// panes, with three panes, and each of two columns.
 const ASIDE: [u16; 3] = [40, 36, 22];
 /// Maximum width of such a column; tables use no more.
-const WIDEST_ASIDE: u16 = 64;
+const MAX_SIDE_WIDTH: u16 = 64;
 /// Minimum width that a split leaves to a pane, in columns.
-const NARROWEST: u16 = 24;
+const MIN_WIDTH: u16 = 24;
 /// Minimum height of a pane below the drawing, with its title.
-const LOWEST_BELOW: u16 = 8;
+const MIN_HEIGHT_BELOW: u16 = 8;
 /// Columns per step of the split, and the maximum number of steps to each side.
 const STEP: u16 = 4;
-const MOST_STEPS: i8 = 8;
+const MAX_STEPS: i8 = 8;
 
 impl LayoutName {
     pub(crate) const ALL: [LayoutName; 6] = [
@@ -210,7 +210,7 @@ impl Composition {
 
     /// Moves the split; returns `false` if it is at its limit already.
     pub(crate) fn move_split(&mut self, by: i8) -> bool {
-        let to = (self.split + by).clamp(-MOST_STEPS, MOST_STEPS);
+        let to = (self.split + by).clamp(-MAX_STEPS, MAX_STEPS);
         let moved = to != self.split;
         self.split = to;
         moved
@@ -224,8 +224,8 @@ pub(crate) fn moved(width: u16, whole: u16, split: i8) -> u16 {
         true => width.saturating_sub(by),
         false => width.saturating_add(by),
     };
-    let most = whole.saturating_sub(NARROWEST + 1).max(NARROWEST);
-    to.clamp(NARROWEST.min(width), most.max(width.min(whole)))
+    let most = whole.saturating_sub(MIN_WIDTH + 1).max(MIN_WIDTH);
+    to.clamp(MIN_WIDTH.min(width), most.max(width.min(whole)))
 }
 
 /// Returns `percent` percent of a width.
@@ -253,7 +253,7 @@ fn titled(view: View, frame: Rect) -> PlacedView {
 fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
     let asides: u16 = if count > 3 { 2 } else { 1 };
     let percent = ASIDE[count.clamp(2, 4) - 2];
-    let aside = percent_of(body.width, percent).min(WIDEST_ASIDE);
+    let aside = percent_of(body.width, percent).min(MAX_SIDE_WIDTH);
     let drawing = body.width.saturating_sub(asides * (aside + 1));
     let rest = body.width.saturating_sub((asides - 1) * (aside + 1));
     let drawing = moved(drawing, rest, split);
@@ -283,7 +283,7 @@ fn frames(count: usize, screen: Size, body: Rect, split: i8) -> Vec<Rect> {
 fn drawing_rows(screen: Size, width: u16, height: u16) -> u16 {
     let cells = SHARES[1] * f64::from(screen.width) * f64::from(screen.height);
     let rows = (1..height).find(|rows| f64::from(*rows) * f64::from(width) >= cells);
-    let most = height.saturating_sub(LOWEST_BELOW);
+    let most = height.saturating_sub(MIN_HEIGHT_BELOW);
     rows.unwrap_or(height).max(height / 2).min(most)
 }
 
@@ -375,7 +375,7 @@ mod tests {
                     let frame = pane.title.map_or(pane.area, |title| title.union(pane.area));
                     assert_eq!(frame.intersection(body), frame, "{layout:?} {size} {split}");
                     assert!(
-                        pane.area.height >= 5 && pane.area.width >= NARROWEST,
+                        pane.area.height >= 5 && pane.area.width >= MIN_WIDTH,
                         "{pane:?}"
                     );
                     for other in &placed[..n] {
@@ -449,9 +449,9 @@ mod tests {
         assert!(composition.move_split(1));
         assert_eq!(width(&composition), before + STEP);
         while composition.move_split(1) {}
-        assert!(width(&composition) < 120 - NARROWEST);
+        assert!(width(&composition) < 120 - MIN_WIDTH);
         while composition.move_split(-1) {}
-        assert!(width(&composition) >= NARROWEST);
+        assert!(width(&composition) >= MIN_WIDTH);
     }
 
     #[test]

@@ -53,9 +53,9 @@ use ratatui::style::Style;
 const MARGIN: u16 = 2;
 
 /// Minimum screen size for views; a smaller screen shows only state and angle.
-const SMALLEST: Size = Size::new(40, 12);
+const MIN_SIZE: Size = Size::new(40, 12);
 /// Minimum screen size for any content.
-const LEAST: Size = Size::new(20, 6);
+const MIN_VALUE: Size = Size::new(20, 6);
 
 pub(crate) use motion::{SeenPlace, Sketch};
 pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
@@ -335,12 +335,12 @@ fn whole(size: Size) -> Rect {
 
 /// Returns `true` if the screen is large enough for any text.
 pub(crate) fn has_words(size: Size) -> bool {
-    size.width >= LEAST.width && size.height >= LEAST.height
+    size.width >= MIN_VALUE.width && size.height >= MIN_VALUE.height
 }
 
 /// Returns `true` if the screen is large enough for views.
 pub(crate) fn has_room(size: Size) -> bool {
-    size.width >= SMALLEST.width && size.height >= SMALLEST.height
+    size.width >= MIN_SIZE.width && size.height >= MIN_SIZE.height
 }
 
 /// Returns the area between the first line and the last one.

@@ -24,8 +24,8 @@ use ratatui::layout::{Position, Rect};
 use ratatui::style::Modifier;
 
 /// Minimum and maximum width of a name; longer names are cut.
-const SHORTEST_NAME: u16 = 12;
-const LONGEST_NAME: u16 = 24;
+const MIN_NAME_LEN: u16 = 12;
+const MAX_NAME_LEN: u16 = 24;
 /// Minimum and maximum columns before the decimal point and from it on.
 const WHOLE: (u16, u16) = (4, 10);
 const FRACTION: (u16, u16) = (4, 8);
@@ -36,7 +36,7 @@ const CURSOR: u16 = 2;
 /// Height of the line above the list.
 const HEAD: u16 = 1;
 /// Minimum width of a drawing.
-const NARROWEST_DRAWING: u16 = 26;
+const MIN_DRAWING_WIDTH: u16 = 26;
 
 /// The areas of the list and of the drawing.
 struct SceneAreas {
@@ -49,7 +49,7 @@ fn arrange(app: &App, body: Rect) -> SceneAreas {
     let list = ColumnWidths::of(app.editor()).width() + 1 + super::MARGIN;
     let has_drawing = app.standing().contains(&View::Motion);
     match body.width.checked_sub(list + 1).filter(|_| !has_drawing) {
-        Some(width) if width >= NARROWEST_DRAWING => {
+        Some(width) if width >= MIN_DRAWING_WIDTH => {
             let part = |x, width| Rect {
                 x: body.x + x,
                 width,
@@ -223,7 +223,7 @@ impl ColumnWidths {
             })
         };
         ColumnWidths {
-            name: widest(&|v| columns(&v.name)).clamp(SHORTEST_NAME, LONGEST_NAME),
+            name: widest(&|v| columns(&v.name)).clamp(MIN_NAME_LEN, MAX_NAME_LEN),
             whole: part(0).clamp(WHOLE.0, WHOLE.1),
             fraction: part(1).clamp(FRACTION.0, FRACTION.1),
             unit: widest(&|v| columns(v.unit)),

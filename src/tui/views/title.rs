@@ -23,7 +23,7 @@ const SIDES: u16 = 6;
 /// Minimum width of the title; settings next to it are dropped one by one to reach it.
 const TITLE: u16 = 32;
 /// Maximum width of the compared scene's name; longer names are cut.
-const LONGEST_NAME: usize = 20;
+const MAX_NAME_LEN: usize = 20;
 
 /// Renders the drawing's title if it fills the screen.
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
@@ -129,7 +129,7 @@ fn against(app: &App) -> String {
     let Some(compared) = app.compared() else {
         return String::new();
     };
-    let name = cut(compared.name(), LONGEST_NAME);
+    let name = cut(compared.name(), MAX_NAME_LEN);
     let against = match compared.is_assembled() {
         true => words().against(&name),
         false => words().against_without_assembly(&name),

@@ -12,7 +12,7 @@ const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 pub(crate) const INFLATION: f64 = 1.0 + 1e-9;
 const TINY: f64 = 1e-290;
 /// Above this, the square of a double and its rounding error are free of underflow.
-const LEAST_SQUARE: f64 = 1e-280;
+const MIN_SQUARE: f64 = 1e-280;
 /// pi / 180, rounded up.
 const RADIAN: f64 = 0.017_453_292_519_943_3;
 
@@ -245,7 +245,7 @@ impl Number for Ball {
             let square = vector.norm2();
             let root = square.sqrt();
             // Radii do not cover underflow in squares, so tiny squares are not used.
-            if root.radius.is_finite() && square.mid > LEAST_SQUARE {
+            if root.radius.is_finite() && square.mid > MIN_SQUARE {
                 return root;
             }
             let mid = x.mid.hypot(y.mid);

@@ -58,7 +58,7 @@ impl Default for Builder {
 }
 
 /// Minimum ratio of a link's length to the longest length: products of four lengths stay normal.
-const SHORTEST: f64 = 1e-75;
+const MIN_LEN: f64 = 1e-75;
 
 impl Builder {
     /// Adds a point fixed in the ground at (x, y).
@@ -437,7 +437,7 @@ impl Builder {
         });
         if let Some((link, length)) = arms.min_by(|a, b| a.1.total_cmp(&b.1))
             && longest.is_finite()
-            && length < SHORTEST * longest
+            && length < MIN_LEN * longest
         {
             found.push(Defect::Proportion {
                 link,

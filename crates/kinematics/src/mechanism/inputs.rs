@@ -112,16 +112,16 @@ impl TimedInput {
 }
 
 /// Returns a ratio as a fraction of whole numbers, or `None` if the denominator would exceed
-/// `MOST_DENOMINATOR`: 0.3333333333333333 means a third.
+/// `MAX_DENOMINATOR`: 0.3333333333333333 means a third.
 pub(crate) fn fraction(ratio: f64) -> Option<(f64, f64)> {
-    let denominators = (1..=MOST_DENOMINATOR).map(f64::from);
+    let denominators = (1..=MAX_DENOMINATOR).map(f64::from);
     let mut fractions = denominators.map(|of| ((ratio * of).round(), of));
     fractions.find(|(count, of)| count / of == ratio)
 }
 
 /// Maximum number of turns over which a motion is tracked. A ratio with a larger denominator does
 /// not repeat within them.
-const MOST_DENOMINATOR: u8 = 16;
+const MAX_DENOMINATOR: u8 = 16;
 
 impl Mechanism {
     /// Returns the inputs that follow the driver.

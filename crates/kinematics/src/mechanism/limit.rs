@@ -10,7 +10,7 @@ id!(
 
 /// Maximum number of turns to which a driver may be limited, because reports list a repeating
 /// motion turn by turn.
-pub const MOST_TURNS: f64 = 1000.0;
+pub const MAX_TURNS: f64 = 1000.0;
 
 /// The coordinate that a limit bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,10 +47,10 @@ pub struct Limit {
 impl Limit {
     /// Checks that the ends are finite and in order. An angle's ends must be less than a turn
     /// apart, or a full turn would reach the other side of a stop. A driver may turn up to
-    /// `MOST_TURNS`.
+    /// `MAX_TURNS`.
     pub(super) fn is_sound(&self, input: Option<Input>) -> bool {
         let (fits, widest) = match self.of {
-            LimitOf::Driver if matches!(input, Some(Input::Turn(_))) => (true, MOST_TURNS * TURN),
+            LimitOf::Driver if matches!(input, Some(Input::Turn(_))) => (true, MAX_TURNS * TURN),
             LimitOf::Driver | LimitOf::Slide(_) | LimitOf::Table(_) => (true, f64::INFINITY),
             LimitOf::Angle { link, from } => (from != Body::Link(link), TURN),
         };

@@ -25,7 +25,7 @@ pub(crate) use inputs::fraction;
 pub use inputs::{InputLaw, TimedInput};
 pub use law::{DriverMoment, MotionLaw, MotionPeaks, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
-pub use limit::MOST_TURNS;
+pub use limit::MAX_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
 pub use load::{Load, Profile, StrokeEnd};
 pub use polar::PolarPlace;

@@ -3,7 +3,7 @@
 use thiserror::Error;
 
 /// Maximum number of evaluations; a dozen is usual.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 /// Fraction of the larger part at which a golden section divides it.
 const GOLDEN: f64 = 0.381_966_011_250_105_1;
 
@@ -19,7 +19,7 @@ pub enum Unsettled {
         best: (f64, f64),
     },
     /// The maximum number of steps was not enough.
-    #[error("{MOST_STEPS} steps are not enough")]
+    #[error("{MAX_STEPS} steps are not enough")]
     Spent {
         /// The lowest point found and its value.
         best: (f64, f64),
@@ -53,7 +53,7 @@ pub fn lowest(
     let (mut best, mut second, mut third) = (first, first, first);
     let (mut step, mut before) = (0.0_f64, 0.0_f64);
     let finest = f64::EPSILON.sqrt() * (high - low).abs().max(f64::MIN_POSITIVE);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let middle = 0.5 * (low + high);
         let least = finest.max(4.0 * f64::EPSILON * best.0.abs());
         if (best.0 - middle).abs() <= 2.0 * least - 0.5 * (high - low) {

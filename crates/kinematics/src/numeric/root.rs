@@ -4,7 +4,7 @@ use thiserror::Error;
 
 /// Maximum number of evaluations. The method halves the interval at least every third time, so this
 /// suffices down to the rounding of a position.
-const MOST: usize = 200;
+const MAX_COUNT: usize = 200;
 /// Inverse of the unit to which a root blurred by rounding is tentatively rounded.
 const DECIMALS: f64 = 1e9;
 
@@ -43,7 +43,7 @@ pub fn root(
         return Err(NoRoot::SameSign);
     }
     let (mut new, mut other, mut share) = (b, a, 0.5);
-    for _ in 0..MOST {
+    for _ in 0..MAX_COUNT {
         let x = new.0 + share * (other.0 - new.0);
         let here = (x, f(x).ok_or(NoRoot::Gap(x))?);
         let last = if (here.1 > 0.0) == (new.1 > 0.0) {

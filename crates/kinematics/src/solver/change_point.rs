@@ -16,7 +16,7 @@ use crate::{Double, LinkId, PointId, Vec2};
 /// The series takes the group's place no further than this from a change point, in radians or scaled
 /// lengths: from there on a dyad's own second derivatives are off by less than some 1e-11, its places
 /// by some roundings. Wider, series would stand in where nothing is amiss,
-const WIDEST: f64 = 0.02;
+const MAX_WIDTH: f64 = 0.02;
 /// and no further than its last terms are below this in the second derivatives: about a rounding.
 const FINE: f64 = 1e-15;
 /// A coordinate that differs from a change point by less than this part of it is the change point.
@@ -275,7 +275,7 @@ impl Passage {
 /// these must be fine. `None` where there are too few coefficients.
 fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f64> {
     let last = known.checked_sub(1).filter(|&last| last >= 4)?;
-    let mut zone = WIDEST;
+    let mut zone = MAX_WIDTH;
     for taylor in series {
         for n in [last - 1, last] {
             let size = taylor[n].norm() * (n * (n - 1)) as f64;

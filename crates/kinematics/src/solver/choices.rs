@@ -12,12 +12,12 @@ use super::{Order, Solver, Workspace};
 use crate::{ElementId, Mechanism, PointId, Vec2};
 
 /// The maximum number of whole assemblies listed.
-pub const MOST_ASSEMBLIES: usize = 64;
+pub const MAX_ASSEMBLIES: usize = 64;
 
 /// The maximum number of placements tried in the search for whole assemblies. If later groups close
 /// with few placements of earlier ones, the number of combinations grows with every group though
 /// hardly any closes.
-const MOST_TRIED: usize = 10_000;
+const MAX_TRIED: usize = 10_000;
 /// A distance past a change point, in radians or scaled lengths, small enough to stay before the
 /// next one.
 const BEYOND: f64 = 1e-6;
@@ -42,7 +42,7 @@ pub struct Assemblies {
     pub list: Vec<Vec<(GroupId, Pick)>>,
     /// The index of the assembly that the solver follows.
     pub current: Option<usize>,
-    /// Whether the list was not cut at [`MOST_ASSEMBLIES`]. The search may still miss assemblies of
+    /// Whether the list was not cut at [`MAX_ASSEMBLIES`]. The search may still miss assemblies of
     /// a coupled group.
     pub is_complete: bool,
 }
@@ -97,7 +97,7 @@ impl Solver {
             .collect()
     }
 
-    /// Returns the whole assemblies at a coordinate of the driver, up to [`MOST_ASSEMBLIES`].
+    /// Returns the whole assemblies at a coordinate of the driver, up to [`MAX_ASSEMBLIES`].
     #[must_use]
     pub fn assemblies(&self, at: f64) -> Assemblies {
         let mut found = Assemblies::default();
@@ -125,7 +125,7 @@ impl Solver {
                 taken.push((ways, 0));
             } else {
                 if engine.misfit(&state).is_none() {
-                    if found.list.len() == MOST_ASSEMBLIES {
+                    if found.list.len() == MAX_ASSEMBLIES {
                         return found;
                     }
                     self.note(&taken, &present, &mut found);
@@ -139,7 +139,7 @@ impl Solver {
                     return found;
                 };
                 tried += 1;
-                if tried > MOST_TRIED {
+                if tried > MAX_TRIED {
                     return found;
                 }
                 let number = taken.len() - 1;

@@ -14,7 +14,7 @@ use nalgebra::DMatrix;
 /// Number of places over a turn or a range at which the groups are evaluated.
 const LOOKS: u32 = 360;
 /// Maximum number of sweeps of a decomposition.
-const MOST_SWEEPS: usize = 1000;
+const MAX_SWEEPS: usize = 1000;
 
 /// The worst condition of a coupled group over the motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,7 +67,7 @@ impl Solver {
         let Workspace { state, scratch, .. } = work;
         let n = group.unknowns();
         let matrix = DMatrix::from_row_slice(n, n, group.normalised(q, state, scratch));
-        let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MOST_SWEEPS)?;
+        let decomposed = nalgebra::SVD::try_new(matrix, false, false, f64::EPSILON, MAX_SWEEPS)?;
         let values = decomposed.singular_values;
         Some(values.min() / values.max()).filter(|condition| condition.is_finite())
     }

@@ -64,7 +64,7 @@ mod varied;
 mod workspace;
 
 pub use by_length::ByLength;
-pub use choices::{Assemblies, Choice, MOST_ASSEMBLIES};
+pub use choices::{Assemblies, Choice, MAX_ASSEMBLIES};
 pub use classify::{DrivenLoop, Grashof, Inversion, LoopKind};
 pub use conditioning::Conditioning;
 pub use coupled::{Newton, NewtonRow, NewtonUnknown};

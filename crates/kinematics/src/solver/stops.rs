@@ -28,7 +28,7 @@ const TOUCHED: f64 = 1e-13;
 /// Factor by which the second derivative inside an interval may exceed its values at both ends.
 const STEEPER: f64 = 2.0;
 /// Number of halvings from a degree down to neighbouring doubles, with a margin.
-const MOST_HALVINGS: u32 = 80;
+const MAX_HALVINGS: u32 = 80;
 /// Number of doublings of an ulp within which double-double searches for a stop found in doubles.
 const DOUBLINGS: i32 = 40;
 /// Maximum distance of a stop from an end of the motion, in roundings of the coordinate, at which
@@ -248,7 +248,7 @@ impl<'s> LimitWatch<'s> {
         for at in self.whole.way(sense) {
             let to = self.look(at, from.value)?;
             let ends = [StrokeEnd::Least, StrokeEnd::Greatest];
-            let found = ends.map(|end| Some((end, self.passed(end, from, to, MOST_HALVINGS)?)));
+            let found = ends.map(|end| Some((end, self.passed(end, from, to, MAX_HALVINGS)?)));
             let found = found.into_iter().flatten();
             let first =
                 found.min_by(|(_, a), (_, b)| (a[0].at * sense).total_cmp(&(b[0].at * sense)));

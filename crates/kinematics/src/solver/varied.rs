@@ -22,7 +22,7 @@ use crate::{Ball, Constant, LANES, Lanes, Length, Mechanism, Number, Vec2};
 const DEGREES: u16 = 360;
 /// The minimum of the squared sine at these places. At a spacing of 1 degree it could reach zero in
 /// between if it were below some thousandths.
-const LEAST_MEASURE: f64 = 0.04;
+const MIN_MEASURE: f64 = 0.04;
 /// The maximum change of the squared sine from one place to the next.
 const STEEPEST_MEASURE: f64 = 0.1;
 
@@ -247,7 +247,7 @@ impl Varied {
                 for measure in measures.0 {
                     let last = before.replace(measure).unwrap_or(measure);
                     // Written so that NaN is not clear.
-                    if !(measure > LEAST_MEASURE && (measure - last).abs() < STEEPEST_MEASURE) {
+                    if !(measure > MIN_MEASURE && (measure - last).abs() < STEEPEST_MEASURE) {
                         return false;
                     }
                 }

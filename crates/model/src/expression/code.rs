@@ -70,9 +70,9 @@ pub(crate) struct Code {
 /// Maximum number of values on the stack.
 const STACK: usize = 40;
 /// Maximum number of steps, including those of all formulas that one uses.
-const MOST: usize = 4096;
+const MAX_COUNT: usize = 4096;
 /// The order of the highest rate that a state has.
-const HIGHEST_RATE: u8 = 2;
+const MAX_RATE: u8 = 2;
 
 /// The limit that a formula exceeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,7 +84,7 @@ pub(crate) enum Excess {
 impl Code {
     /// Creates code from steps that leave one value.
     pub(crate) fn new(ops: Vec<Op>) -> Result<Code, Excess> {
-        if ops.len() > MOST {
+        if ops.len() > MAX_COUNT {
             return Err(Excess::Steps);
         }
         let mut rates = vec![0_u8; ops.len()];
@@ -95,7 +95,7 @@ impl Code {
             let begin = begins.get(taken).copied().unwrap_or(i);
             if *op == Op::Rate {
                 rates[begin..i].iter_mut().for_each(|r| *r += 1);
-                if rates[begin..i].iter().any(|r| *r > HIGHEST_RATE) {
+                if rates[begin..i].iter().any(|r| *r > MAX_RATE) {
                     return Err(Excess::Rates);
                 }
             }

@@ -33,7 +33,7 @@ pub struct LengthScale {
 pub(super) const METRE: f64 = 10_000.0;
 
 /// Maximum power of a unit; no quantity of a linkage exceeds it.
-pub(super) const LARGEST_POWER: i8 = 24;
+pub(super) const MAX_POWER: i8 = 24;
 
 impl Dimension {
     pub const NUMBER: Dimension = Dimension {
@@ -141,7 +141,7 @@ impl Dimension {
     fn joined(self, other: Dimension, join: impl Fn(i8, i8) -> Option<i8>) -> Option<Dimension> {
         let mut powers = self.powers();
         for (power, other) in powers.iter_mut().zip(other.powers()) {
-            *power = join(*power, other).filter(|p| p.abs() <= LARGEST_POWER)?;
+            *power = join(*power, other).filter(|p| p.abs() <= MAX_POWER)?;
         }
         let [newton, kilogram, metre, length, second, radian] = powers;
         let is_angular = [newton, kilogram, metre, length] == [0; 4];

@@ -68,8 +68,8 @@ pub(super) fn unit(degrees: &Wide) -> Option<[Wide; 2]> {
 }
 
 fn unit_to(degrees: &Wide, bits: u64) -> Option<[Wide; 2]> {
-    const LARGEST_TOP: i64 = 2048;
-    if degrees.largest_top() > LARGEST_TOP {
+    const MAX_TOP: i64 = 2048;
+    if degrees.largest_top() > MAX_TOP {
         return None;
     }
     let right = Wide::whole(90);

@@ -116,7 +116,8 @@ impl<T: Number, const N: usize> Jet<T, N> {
     pub(super) fn product(self, other: Self) -> Self {
         let is_something = |jet: Self| jet.0[0].abs().exceeds(T::default());
         let value = self.0[0] * other.0[0];
-        if is_something(self) && is_something(other) && !value.abs().exceeds(T::exactly(LEAST)) {
+        if is_something(self) && is_something(other) && !value.abs().exceeds(T::exactly(MIN_VALUE))
+        {
             return Jet::nothing();
         }
         let mut product = Jet::default();
@@ -132,7 +133,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
             return Jet::nothing();
         }
         let is_something = self.0[0].abs().exceeds(T::default());
-        if is_something && !(self.0[0] / by.0[0]).abs().exceeds(T::exactly(LEAST)) {
+        if is_something && !(self.0[0] / by.0[0]).abs().exceeds(T::exactly(MIN_VALUE)) {
             return Jet::nothing();
         }
         let mut quotient = Jet::default();
@@ -255,7 +256,7 @@ impl<T: Number, const N: usize> Jet<T, N> {
 
 /// Minimum magnitude of products and quotients; below it, the rounding error is no longer relative
 /// to the value.
-const LEAST: f64 = 1e-280;
+const MIN_VALUE: f64 = 1e-280;
 
 /// Minimum magnitude of converted values: below about 2.2e-308, doubles lose digits.
 const HELD: f64 = 1e-300;

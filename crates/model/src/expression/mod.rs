@@ -43,7 +43,7 @@ pub use wide::Wide;
 use std::ops::Range;
 
 /// Maximum length of a formula, in bytes.
-pub const LONGEST: usize = 1000;
+pub const MAX_LEN: usize = 1000;
 
 /// A fault in a formula, with its position in the text.
 #[derive(Clone, Debug, PartialEq, Eq)]

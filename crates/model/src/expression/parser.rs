@@ -8,29 +8,29 @@
 //! atom    = number [ unit ] | name | name "(" sum { "," sum } ")" | "(" sum ")"
 //! ```
 
-use super::dimension::{LARGEST_POWER, METRE};
+use super::dimension::{MAX_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
 use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
 use super::unit_words::{is_of_unit, is_unit, unit_named};
-use super::{Dimension, ExpressionTree, LONGEST, Malformed, is_of_name};
+use super::{Dimension, ExpressionTree, MAX_LEN, Malformed, is_of_name};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::ops::Range;
 
 /// Maximum depth of nested brackets and signs.
-const DEEPEST: usize = 32;
+const MAX_DEPTH: usize = 32;
 /// Maximum exponent.
-const LARGEST_EXPONENT: u8 = 8;
+const MAX_EXPONENT: u8 = 8;
 
 /// Parses a formula.
 ///
 /// # Errors
 /// The first fault.
 pub(crate) fn parse(text: &str) -> Result<ExpressionTree, Malformed> {
-    if text.len() > LONGEST {
+    if text.len() > MAX_LEN {
         return Err(Malformed::new(
             0..text.len(),
-            words().formula_too_long(LONGEST),
+            words().formula_too_long(MAX_LEN),
         ));
     }
     let mut parser = Parser {
@@ -87,9 +87,9 @@ impl Parser<'_> {
         read: impl FnOnce(&mut Self) -> Result<R, Malformed>,
     ) -> Result<R, Malformed> {
         self.depth += 1;
-        if self.depth > DEEPEST {
+        if self.depth > MAX_DEPTH {
             let at = self.lexer.at();
-            return Err(Malformed::new(at..at, words().formula_too_deep(DEEPEST)));
+            return Err(Malformed::new(at..at, words().formula_too_deep(MAX_DEPTH)));
         }
         let read = read(self);
         self.depth -= 1;
@@ -157,7 +157,7 @@ impl Parser<'_> {
         };
         let Some(node) = node else {
             let fault = Malformed::new(from..span.end, words().exponent_must_be_number());
-            return Err(fault.help(words().exponents_go_to(LARGEST_EXPONENT.into())));
+            return Err(fault.help(words().exponents_go_to(MAX_EXPONENT.into())));
         };
         Ok(ExpressionTree { span, node })
     }
@@ -242,7 +242,7 @@ impl Parser<'_> {
             unit.dimension = joined.ok_or_else(too_much)?;
             unit.lengths.extend(part.lengths);
             let degrees = unit.degrees.checked_add(part.degrees);
-            let degrees = degrees.filter(|power| power.abs() <= LARGEST_POWER);
+            let degrees = degrees.filter(|power| power.abs() <= MAX_POWER);
             unit.degrees = degrees.ok_or_else(too_much)?;
             end = part_end;
         }
@@ -265,10 +265,10 @@ fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<N
         all.find(|&whole| f64::from(whole) == exponent)
     };
     let size = exponent.value;
-    if let Some(whole) = whole(size, LARGEST_EXPONENT) {
+    if let Some(whole) = whole(size, MAX_EXPONENT) {
         return Some(Node::Power(Box::new(base), sign * whole));
     }
-    if !(size > 0.0 && size < f64::from(LARGEST_EXPONENT)) {
+    if !(size > 0.0 && size < f64::from(MAX_EXPONENT)) {
         return None;
     }
     let span = base.span.clone();
@@ -276,7 +276,7 @@ fn power_of(base: ExpressionTree, sign: i8, exponent: WrittenNumber) -> Option<N
         span: span.clone(),
         node,
     };
-    if let Some(halves) = whole(2.0 * size, 2 * LARGEST_EXPONENT) {
+    if let Some(halves) = whole(2.0 * size, 2 * MAX_EXPONENT) {
         let root = node(Node::Call(MathFunction::Sqrt, vec![base]));
         return Some(Node::Power(Box::new(root), sign * halves));
     }

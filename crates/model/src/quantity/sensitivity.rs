@@ -15,7 +15,7 @@ use std::collections::HashMap;
 const ROUNDING: f64 = 128.0 * f64::EPSILON;
 /// Maximum size (points and links, times lengths) up to which the differentiated mechanisms are
 /// kept from one coordinate to the next. Larger ones are created again each time.
-const MOST_KEPT: usize = 1 << 16;
+const MAX_KEPT: usize = 1 << 16;
 
 /// Computes the derivatives of quantities by the given lengths, at successive coordinates.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ pub struct Sensitivity {
 type Ready = (ByLength, Workspace<Dual>);
 
 /// Maximum number of derivatives, of all quantities by all lengths, that is useful to a reader.
-pub const MOST_DERIVATIVES: usize = 1 << 22;
+pub const MAX_DERIVATIVES: usize = 1 << 22;
 
 /// The derivatives of all quantities at one coordinate.
 #[derive(Clone, Debug, PartialEq)]
@@ -195,7 +195,7 @@ impl Sensitivity {
     fn keep(&mut self, number: usize, ready: Ready) {
         let mechanism = self.solver.mechanism();
         let size = mechanism.points().len() + mechanism.links().len();
-        if size * self.lengths.len() <= MOST_KEPT {
+        if size * self.lengths.len() <= MAX_KEPT {
             self.ready[number] = Some(ready);
         }
     }

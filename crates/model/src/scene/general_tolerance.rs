@@ -13,7 +13,7 @@ pub(super) enum GeneralTolerance {
 /// The designation of a class without its letter.
 const STANDARD: &str = "ISO 2768-";
 /// Minimum size in the standard, in mm.
-const LEAST: f64 = 0.5;
+const MIN_VALUE: f64 = 0.5;
 /// Permissible deviations in mm: the maximum size of each row, and the values for f, m, c and v; 0
 /// marks a missing value.
 const DEVIATIONS: [(f64, [f64; 4]); 8] = [
@@ -57,7 +57,7 @@ impl GeneralTolerance {
     /// range.
     pub(super) fn deviation(self, size: f64) -> Option<f64> {
         let least = size * (1.0 - ROUNDING);
-        if size * (1.0 + ROUNDING) < LEAST {
+        if size * (1.0 + ROUNDING) < MIN_VALUE {
             return None;
         }
         let (_, all) = DEVIATIONS.iter().find(|(most, _)| least <= *most)?;
@@ -67,14 +67,14 @@ impl GeneralTolerance {
     /// Returns the range of sizes that have a deviation in this class, in mm.
     pub(super) fn sizes(self) -> GeneralSizes {
         let mut sizes = GeneralSizes {
-            least: LEAST,
+            least: MIN_VALUE,
             is_above: false,
-            greatest: LEAST,
+            greatest: MIN_VALUE,
         };
         for (most, all) in DEVIATIONS {
             match all[self as usize] > 0.0 {
                 true => sizes.greatest = most,
-                false if sizes.greatest == LEAST => {
+                false if sizes.greatest == MIN_VALUE => {
                     (sizes.least, sizes.is_above) = (most, true);
                 }
                 false => {}

@@ -12,7 +12,7 @@ use super::reader::{ByteSpan, CoordinatePair, Name, Reader};
 use super::resolve::Resolver;
 use crate::angle::TURN;
 use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
-use crate::mechanism::MOST_TURNS;
+use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Body, Limit, LimitOf, LinkId};
@@ -209,7 +209,7 @@ fn ends(
 
 /// Reports a driver's range with more turns than can be listed.
 pub(super) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds) {
-    let most = MOST_TURNS * TURN;
+    let most = MAX_TURNS * TURN;
     // Negated, so that an overflow is rejected too.
     if !(ends.high - ends.low < most) {
         reader.report(

@@ -2,7 +2,7 @@
 
 use super::deviations::{self, DraftTolerance};
 use super::points::PlacedPoint;
-use super::reader::{ByteSpan, Name, Reader, SMALLEST_LENGTH, quoted};
+use super::reader::{ByteSpan, MIN_LENGTH, Name, Reader, quoted};
 use super::sighted::{self, LinkPlace, LinkPlaces};
 use crate::Vec2;
 use crate::document::{Diagnostic, Entries, Lenient};
@@ -10,7 +10,7 @@ use crate::wording::words;
 use serde::Deserialize;
 
 /// Maximum number of links of a scene.
-const MOST_LINKS: usize = 10_000;
+const MAX_LINKS: usize = 10_000;
 
 const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
@@ -98,9 +98,9 @@ pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Links) -> Read<'v> {
     let mut read = Read::default();
     reader.table("[links]", LINK, value);
     let count = value.keys.len();
-    if value.get().is_some() && count > MOST_LINKS {
+    if value.get().is_some() && count > MAX_LINKS {
         reader.report(
-            Diagnostic::new(words().links_above_most(count, MOST_LINKS))
+            Diagnostic::new(words().links_above_most(count, MAX_LINKS))
                 .at(value.span.clone(), words().are_too_many_links()),
         );
         read.too_many = true;
@@ -293,7 +293,7 @@ pub(super) fn length(
         Diagnostic::new(words().must_be(&words().key_of("length", of), rule, &literal))
             .at(value.span.clone(), label)
     };
-    if length >= SMALLEST_LENGTH {
+    if length >= MIN_LENGTH {
         return Some(length);
     }
     reader.report(if length > 0.0 {

@@ -123,7 +123,7 @@ use std::sync::Arc;
 pub const RULES: &str = include_str!("rules.md");
 
 /// Maximum size of a scene file in bytes: 1 MiB.
-pub const LARGEST_FILE: usize = 1 << 20;
+pub const MAX_FILE_SIZE: usize = 1 << 20;
 
 /// A scene: a mechanism with names, a unit and a place in the text for every element.
 #[derive(Clone, Debug)]
@@ -198,7 +198,7 @@ impl Scene {
     /// # Errors
     /// Returns all faults found, with their places.
     pub fn read(bytes: &[u8], origin: &str) -> Result<Scene, Diagnostics> {
-        if bytes.len() > LARGEST_FILE {
+        if bytes.len() > MAX_FILE_SIZE {
             return Err(too_large(origin));
         }
         match std::str::from_utf8(bytes) {
@@ -212,7 +212,7 @@ impl Scene {
     /// # Errors
     /// Returns all faults found, with their places.
     pub fn parse(text: &str, origin: &str) -> Result<Scene, Diagnostics> {
-        if text.len() > LARGEST_FILE {
+        if text.len() > MAX_FILE_SIZE {
             return Err(too_large(origin));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -385,7 +385,7 @@ pub fn from_seat(name: &str, seat: Option<&str>) -> String {
 /// stops one byte after the limit.
 #[doc(hidden)]
 pub fn too_large(origin: &str) -> Diagnostics {
-    let fault = Diagnostic::new(words().scene_too_large(LARGEST_FILE));
+    let fault = Diagnostic::new(words().scene_too_large(MAX_FILE_SIZE));
     Diagnostics {
         origin: origin.to_owned(),
         text: "".into(),

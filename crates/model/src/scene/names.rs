@@ -16,7 +16,7 @@ const RESERVED: [&str; 4] = ["driver", "ground", "com", "state"];
 const RESERVED_IN_FORMULAS: [&str; 2] = ["time", "pi"];
 /// Maximum length of a name in bytes, which for valid names equals the number of characters. Names
 /// become column headers.
-const LONGEST: usize = 64;
+const MAX_LEN: usize = 64;
 /// Maximum number of names in a hint.
 const LISTED: usize = 12;
 
@@ -286,10 +286,10 @@ fn bad(name: &Name<'_>, sort: Sort) -> Option<Diagnostic> {
     if text.is_empty() {
         return Some(fault(words().name_is_empty().into(), words().is_empty()));
     }
-    if text.len() > LONGEST {
+    if text.len() > MAX_LEN {
         let count = text.chars().count();
         return Some(fault(
-            words().name_is_too_long(&name.to_string(), count, LONGEST),
+            words().name_is_too_long(&name.to_string(), count, MAX_LEN),
             words().is_too_long(),
         ));
     }

@@ -55,19 +55,19 @@ pub(super) fn number_length(text: &str) -> usize {
 }
 
 /// Maximum number of digits of an exact decimal; longer ones are assumed to be rounded.
-const MOST_DIGITS: usize = 14;
+const MAX_DIGITS: usize = 14;
 
 /// Returns `true` if a text has more digits than an exact decimal, but reads as a decimal of few
 /// digits.
 pub(super) fn is_rounded(text: &str, number: f64) -> bool {
-    digits(text) > MOST_DIGITS && !Decimal::of(number).is_long
+    digits(text) > MAX_DIGITS && !Decimal::of(number).is_long
 }
 
 /// Parses a decimal of few digits as a double-double; returns `None` for more digits.
 pub(super) fn typed(text: &str) -> Option<Double> {
     let number: f64 = text.parse().ok()?;
     let decimal = Decimal::of(number);
-    (digits(text) <= MOST_DIGITS).then_some(decimal.value)
+    (digits(text) <= MAX_DIGITS).then_some(decimal.value)
 }
 
 /// Returns the number of digits of a decimal number, without leading and trailing zeros.

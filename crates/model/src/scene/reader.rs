@@ -15,9 +15,9 @@ pub(super) type Points = Lenient<Entries<CoordinatePair>>;
 
 /// Maximum absolute value of a coordinate or length. Squares of scaled values must stay finite, and
 /// no real mechanism comes near.
-pub(super) const LARGEST: f64 = 1e300;
+pub(super) const MAX_SIZE: f64 = 1e300;
 /// Minimum length, for the same reason.
-pub(super) const SMALLEST_LENGTH: f64 = 1e-300;
+pub(super) const MIN_LENGTH: f64 = 1e-300;
 
 /// Maximum relative rounding error of a formula in double-double, with a margin.
 const TWICE_ROUNDED: f64 = 1e-29;
@@ -47,7 +47,7 @@ impl Reader<'_> {
         };
         let literal = self.literal(&value.span);
         // A comparison that also rejects NaN.
-        if number.abs() <= LARGEST {
+        if number.abs() <= MAX_SIZE {
             return Some(number);
         }
         let (rule, label, help) = if number.is_nan() {

@@ -11,7 +11,7 @@ use serde::Deserialize;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
 /// Maximum accepted misfit relative to the longest length. A larger one cannot be a rounding error.
-const LARGEST_PART: f64 = 0.01;
+const MAX_PART: f64 = 0.01;
 
 /// The accepted misfit in the scene's unit, with its place in the text.
 #[derive(Debug, Default)]
@@ -48,7 +48,7 @@ pub(super) fn read(
 /// Reports a misfit out of proportion, which would accept constraints that contradict each other.
 pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
     let Redundant { misfit, place } = &draft.redundant;
-    let most = LARGEST_PART * longest(draft);
+    let most = MAX_PART * longest(draft);
     if *misfit > most {
         let literal = reader.literal(place);
         let unit = draft.unit.symbol();

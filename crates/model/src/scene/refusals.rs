@@ -23,8 +23,8 @@ fn invalid_utf8_is_rejected_with_position() {
 fn file_above_1_mib_is_rejected() {
     let text = presets::find("four-bar").unwrap().text;
     let filler = |size: usize| format!("{text}#{}", "x".repeat(size - text.len() - 1));
-    assert!(Scene::read(filler(LARGEST_FILE).as_bytes(), "x").is_ok());
-    let shown = message(filler(LARGEST_FILE + 1).as_bytes());
+    assert!(Scene::read(filler(MAX_FILE_SIZE).as_bytes(), "x").is_ok());
+    let shown = message(filler(MAX_FILE_SIZE + 1).as_bytes());
     assert!(shown.contains("the file is too large"), "{shown}");
     assert!(shown.contains("at most 1048576 bytes (1 MiB)"), "{shown}");
 }

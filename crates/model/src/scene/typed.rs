@@ -308,14 +308,14 @@ impl TypedDecimal {
             sign,
             digits: format!("{whole}{fraction}").parse().ok()?,
             // Clamped, so that adding a few digits cannot overflow.
-            exponent: (exponent.clamp(-MOST_POWER, MOST_POWER))
+            exponent: (exponent.clamp(-MAX_TOTAL_POWER, MAX_TOTAL_POWER))
                 .checked_sub(i64::try_from(fraction.len()).ok()?)?,
         })
     }
 }
 
 /// Beyond these powers of ten every number is zero or infinite, however many digits precede.
-const MOST_POWER: i64 = 1_000_000_000;
+const MAX_TOTAL_POWER: i64 = 1_000_000_000;
 
 /// Formats a double with the fewest digits that identify it, in a form that TOML can read.
 fn shortest(number: f64) -> String {

@@ -69,7 +69,7 @@ const STEPS: [u16; 3] = [36, 360, 3600];
 /// The number of cycles of an integration, by the maximum number of unknowns. The error is measured
 /// in the last cycle. Each step has a cost per unknown, and a study should take some seconds.
 const CYCLES: [(usize, u16); 2] = [(10, USUAL_CYCLES), (20, 100)];
-const FEWEST_CYCLES: u16 = 10;
+const MIN_CYCLES: u16 = 10;
 /// The number of cycles of a mechanism with few unknowns.
 pub const USUAL_CYCLES: u16 = 1000;
 
@@ -149,7 +149,7 @@ impl Study {
         let methods = Methods::new(solver);
         let unknowns = methods.unknowns();
         let kind = CYCLES.into_iter().find(|&(most, _)| unknowns <= most);
-        let cycles = kind.map_or(FEWEST_CYCLES, |(_, cycles)| cycles);
+        let cycles = kind.map_or(MIN_CYCLES, |(_, cycles)| cycles);
         Study::with(&all_methods(cycles), methods, positions)
     }
 

@@ -66,9 +66,9 @@ impl Tally {
 }
 
 /// Minimum duration of a sample: a thousand times the time of reading a clock.
-const SHORTEST: Duration = Duration::from_micros(500);
+const MIN_LEN: Duration = Duration::from_micros(500);
 /// Maximum number of repetitions per sample, in case the clock does not advance.
-const MOST: usize = 1 << 20;
+const MAX_COUNT: usize = 1 << 20;
 
 /// A stopwatch for short operations; a sample repeats an operation until the clock can resolve it.
 #[derive(Clone, Debug)]
@@ -104,7 +104,7 @@ impl Stopwatch {
         let begun = clock();
         run(count);
         let taken = clock().saturating_sub(begun);
-        if taken < SHORTEST && count < MOST {
+        if taken < MIN_LEN && count < MAX_COUNT {
             self.count = count.max(self.count / 2) * 2;
             return false;
         }

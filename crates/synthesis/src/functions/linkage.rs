@@ -5,7 +5,7 @@ use kinematics::Vec2;
 
 /// Maximum length relative to the size, and the inverse of the minimum: beyond these limits the
 /// linkage could not be built.
-const MOST: f64 = 1e6;
+const MAX_COUNT: f64 = 1e6;
 
 /// A crank at the origin with its follower. For an angle, the other pivot is at (1, 0), and the
 /// output is the angle of the link on it. For a slide, the crank is 1 long, and the output is the
@@ -34,10 +34,10 @@ pub(super) struct OutputReach {
 impl FunctionLinkage {
     /// Returns `true` if the linkage can be built.
     pub(super) fn is_sound(&self) -> bool {
-        let is_length = |l: f64| l.abs() < MOST && l.abs() > 1.0 / MOST;
+        let is_length = |l: f64| l.abs() < MAX_COUNT && l.abs() > 1.0 / MAX_COUNT;
         let third = match self.output {
             Output::Angle => is_length(self.third),
-            Output::Slide => self.third.abs() < MOST,
+            Output::Slide => self.third.abs() < MAX_COUNT,
         };
         is_length(self.crank) && self.coupler > 0.0 && is_length(self.coupler) && third
     }

@@ -55,12 +55,12 @@ const SAME: f64 = 1e-7;
 /// many numbers must be fixed, less 1.
 const FIXED: [usize; 4] = [24, 10, 5, 3];
 /// Maximum number of proposed linkages; algebra finds at most six.
-const MOST: usize = 240;
+const MAX_COUNT: usize = 240;
 /// Maximum root mean square of the misses relative to the output's swing; beyond it, a linkage does
 /// not follow its function.
 pub(super) const USELESS: f64 = 0.1;
 /// Minimum number of pairs for a search.
-const FEWEST: usize = 3;
+const MIN_COUNT: usize = 3;
 
 /// The designs found by algebra.
 #[derive(Clone, Debug, Default)]
@@ -99,11 +99,11 @@ impl FunctionSearch<'_> {
     #[must_use]
     pub fn run(&self, watch: &mut dyn FnMut(f64) -> bool) -> Proposals {
         let sound = WantedFunction::of(self.task);
-        let Some(wanted) = sound.filter(|wanted| wanted.pairs.len() >= FEWEST) else {
+        let Some(wanted) = sound.filter(|wanted| wanted.pairs.len() >= MIN_COUNT) else {
             return Proposals::default();
         };
         let (designs, is_complete) = designs(&wanted, &mut Stages::new(self.threads, watch));
-        let thinned = designs.len().div_ceil(MOST).max(1);
+        let thinned = designs.len().div_ceil(MAX_COUNT).max(1);
         let mut found: Vec<Proposal> = Vec::new();
         for (design, is_exact) in designs.into_iter().step_by(thinned) {
             let Some(proposal) = proposal(&wanted, &design, is_exact, self.task.size) else {

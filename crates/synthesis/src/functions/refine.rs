@@ -18,8 +18,8 @@ const NUMBERS: usize = 7;
 const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 6.0;
 const SHRINKING: f64 = 0.15;
-const MOST_DAMPING: f64 = 1e14;
-const LEAST_DAMPING: f64 = 1e-30;
+const MAX_DAMPING: f64 = 1e14;
+const MIN_DAMPING: f64 = 1e-30;
 /// The iteration has converged if `STILL` successive steps gain less than this part of the sum.
 const GAIN: f64 = 1e-10;
 const STILL: usize = 4;
@@ -132,11 +132,11 @@ impl FunctionDesign {
         slopes: &MissSlopes,
         damping: &mut f64,
     ) -> Option<(FunctionDesign, MissSlopes)> {
-        while *damping < MOST_DAMPING {
+        while *damping < MAX_DAMPING {
             let next = self.with(&(self.numbers() - slopes.step(*damping)));
             let there = next.slopes(wanted);
             if there.sum < slopes.sum {
-                *damping = (*damping * SHRINKING).max(LEAST_DAMPING);
+                *damping = (*damping * SHRINKING).max(MIN_DAMPING);
                 return Some((next, there));
             }
             *damping *= GROWTH;

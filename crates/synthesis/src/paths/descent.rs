@@ -24,7 +24,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of common unknowns: two each for A, the scale and the arm, three lengths, and the
 /// first angle.
-const MOST: usize = 10;
+const MAX_COUNT: usize = 10;
 const RADIAN: f64 = 180.0 / std::f64::consts::PI;
 /// Mean square of the misses, relative to the path's size, at which the descent ends.
 const EXACT: f64 = 1e-31;
@@ -36,7 +36,7 @@ const LEVEL: f64 = 1e-9;
 /// determine.
 const UNTOLD: f64 = 1e-11;
 
-type MatrixOfUnknowns = [[f64; MOST]; MOST];
+type MatrixOfUnknowns = [[f64; MAX_COUNT]; MAX_COUNT];
 
 /// A linkage in the path's frame, with its crank's angle at every point.
 #[derive(Clone, Debug)]
@@ -55,12 +55,12 @@ pub(super) struct Fit {
 struct NormalSums {
     /// J'J and J'r.
     all: MatrixOfUnknowns,
-    all_miss: [f64; MOST],
+    all_miss: [f64; MAX_COUNT],
     /// (J'k)(k'J) / k'k and (J'k) k'r / k'k.
     own: MatrixOfUnknowns,
-    own_miss: [f64; MOST],
+    own_miss: [f64; MAX_COUNT],
     /// k'J, k'r and k'k of every point; empty if times are given.
-    points: Vec<([f64; MOST], f64, f64)>,
+    points: Vec<([f64; MAX_COUNT], f64, f64)>,
     square: f64,
 }
 
@@ -98,7 +98,7 @@ impl Layout {
 /// to the point's own angle.
 struct PointRows {
     miss: Vec2,
-    common: [Vec2; MOST],
+    common: [Vec2; MAX_COUNT],
     own: Vec2,
 }
 
@@ -153,7 +153,7 @@ impl Fit {
         let se = e.turned(place.scale);
         let own = se.perp() * shape.crank + swing * rates.by_angle;
         let tracer = place.origin + crank.turned(place.scale) + at.u.turned(place.arm);
-        let mut common = [Vec2::ZERO; MOST];
+        let mut common = [Vec2::ZERO; MAX_COUNT];
         let mut n = 0;
         let mut push = |row: Vec2| {
             common[n] = row;
@@ -220,7 +220,7 @@ impl Fit {
             }
             let square = rows.own.norm2().max(f64::MIN_POSITIVE);
             let along = rows.own.dot(rows.miss);
-            let mut products = [0.0; MOST];
+            let mut products = [0.0; MAX_COUNT];
             let part = weight / square;
             for (product, row) in products.iter_mut().zip(&rows.common[..n]) {
                 *product = rows.own.dot(*row);
@@ -402,27 +402,27 @@ impl Fit {
 impl NormalSums {
     fn new() -> NormalSums {
         NormalSums {
-            all: [[0.0; MOST]; MOST],
-            all_miss: [0.0; MOST],
-            own: [[0.0; MOST]; MOST],
-            own_miss: [0.0; MOST],
+            all: [[0.0; MAX_COUNT]; MAX_COUNT],
+            all_miss: [0.0; MAX_COUNT],
+            own: [[0.0; MAX_COUNT]; MAX_COUNT],
+            own_miss: [0.0; MAX_COUNT],
             points: Vec::new(),
             square: 0.0,
         }
     }
 
     fn clear(&mut self) {
-        (self.all, self.own) = ([[0.0; MOST]; MOST], [[0.0; MOST]; MOST]);
-        (self.all_miss, self.own_miss) = ([0.0; MOST], [0.0; MOST]);
+        (self.all, self.own) = ([[0.0; MAX_COUNT]; MAX_COUNT], [[0.0; MAX_COUNT]; MAX_COUNT]);
+        (self.all_miss, self.own_miss) = ([0.0; MAX_COUNT], [0.0; MAX_COUNT]);
         self.points.clear();
         self.square = 0.0;
     }
 
     /// Solves for the damped step of the common unknowns, by Cholesky's method.
-    fn solve(&self, n: usize, damping: f64) -> Option<[f64; MOST]> {
+    fn solve(&self, n: usize, damping: f64) -> Option<[f64; MAX_COUNT]> {
         let part = 1.0 / (1.0 + damping);
-        let mut lower = [[0.0; MOST]; MOST];
-        let mut step = [0.0; MOST];
+        let mut lower = [[0.0; MAX_COUNT]; MAX_COUNT];
+        let mut step = [0.0; MAX_COUNT];
         for i in 0..n {
             for l in 0..=i {
                 let mut sum = self.all[i][l] - part * self.own[i][l];

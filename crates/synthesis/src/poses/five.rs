@@ -28,7 +28,7 @@ const FAR: f64 = 4e6;
 const ROUNDING: f64 = 1e-28;
 /// Maximum number of Newton steps. Two or three suffice from the quartic's roots, unless two dyads
 /// nearly coincide.
-const MOST_STEPS: usize = 40;
+const MAX_STEPS: usize = 40;
 
 /// The dyads through five poses.
 pub(super) struct FoundDyads {
@@ -211,7 +211,7 @@ pub(super) fn refined(forms: &[Form; 4], pin: Triple) -> Option<(Triple, Triple)
     let mut pin = [pin[0] / pin[2], pin[1] / pin[2], Double::ONE];
     let mut pivot = space::kernel(&forms.map(|f| form::of_pin(&f, pin)))?;
     let mut before = f64::INFINITY;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let fixed = (0..3).max_by(|&a, &b| pivot[a].hi.abs().total_cmp(&pivot[b].hi.abs()))?;
         let [i, k] = [(fixed + 1) % 3, (fixed + 2) % 3];
         let by_pin = forms.map(|f| form::of_pivot(&f, pivot));

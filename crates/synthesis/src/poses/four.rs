@@ -25,7 +25,7 @@ use kinematics::{Double, Vec2};
 /// Extent to which an unbounded curve that is not a cubic is followed, in units of the equations.
 const FAR: f64 = 1e3;
 /// Range for the roots of D of a cubic, in units of the equations.
-const FARTHEST: f64 = 1e9;
+const MAX_DISTANCE: f64 = 1e9;
 /// Coefficients below this limit are rounding errors, for equations of length one.
 const NOUGHT: f64 = 1e-12;
 
@@ -172,7 +172,7 @@ impl PinCurve {
 
     /// Returns the intervals with D >= 0, including single points, and the line.
     fn runs(&self) -> Vec<Run> {
-        let within = if self.is_cubic { FARTHEST } else { FAR };
+        let within = if self.is_cubic { MAX_DISTANCE } else { FAR };
         let roots = polynomial::real_roots(&self.discriminant, within);
         let mut ends = vec![Double::exactly(-within)];
         ends.extend(&roots.crossed);

@@ -8,8 +8,8 @@ use kinematics::Vec2;
 use std::ops::RangeInclusive;
 
 /// Maximum number of linkages proposed from a grid, and from a curve.
-const MOST_OF_GRID: usize = 100;
-const MOST_OF_CURVE: usize = 200;
+const MAX_GRID_SHARE: usize = 100;
+const MAX_CURVE_SHARE: usize = 200;
 /// Maximum number of a curve's dyads used for linkages.
 const DYADS_OF_CURVE: usize = 96;
 /// Limits for a continuous family of dyads, in sizes: the maximum distance of pins and pivots, and
@@ -91,7 +91,7 @@ impl Free {
             let dyads = three::dyads(guidance, task, inside, times);
             DyadChoice {
                 dyads: dyads.into_iter().filter(is_handy).collect(),
-                most: MOST_OF_GRID,
+                most: MAX_GRID_SHARE,
             }
         } else {
             let handy = pieces.into_iter().flatten().filter(is_handy);
@@ -105,7 +105,7 @@ impl Free {
             dyads.extend(slide.filter(|slide| handy_within(slide, WIDE * times)));
             DyadChoice {
                 dyads,
-                most: MOST_OF_CURVE,
+                most: MAX_CURVE_SHARE,
             }
         };
         Free {

@@ -20,7 +20,7 @@ const NO_MOVE: f64 = 8.0;
 /// and nonzero.
 const COORDINATES: RangeInclusive<f64> = 1e-70..=1e70;
 /// Maximum number of doublings of the unit; smaller rotations are rounding errors.
-const MOST_DOUBLINGS: u8 = 50;
+const MAX_DOUBLINGS: u8 = 50;
 
 /// Poses and the equations of dyads through them. Pivots are relative to `middle`, and pins to the
 /// point of the body that moves least.
@@ -80,7 +80,7 @@ impl Guidance {
         let first = self.unit;
         let (forms, error) = self.equations(task)?;
         let mut in_unit = (forms.clone(), error);
-        for _ in 0..MOST_DOUBLINGS {
+        for _ in 0..MAX_DOUBLINGS {
             if in_unit.0.len() < forms.len() {
                 break;
             }

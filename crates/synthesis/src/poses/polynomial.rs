@@ -5,7 +5,7 @@ use super::space::Triple;
 use kinematics::Double;
 
 /// Maximum number of Newton or bisection steps for a root; bisection alone yields 106 bits by then.
-const MOST_STEPS: usize = 160;
+const MAX_STEPS: usize = 160;
 /// Relative size of a step below which a root does not change.
 const LAST_STEP: f64 = 1e-31;
 /// An extremum with a value below this part of the sum of all terms' absolute values is returned as
@@ -109,7 +109,7 @@ fn between(p: &[Double], slope: &[Double], low: Double, high: Double) -> Option<
         return None;
     }
     let mut x = (low + high) * half;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let here = value(p, x);
         if here.hi == 0.0 {
             return Some(x);

@@ -10,9 +10,9 @@ const STEP: f64 = 0.03;
 /// Number of initial intervals of a run.
 const FIRST: u8 = 48;
 /// Maximum number of bisections. Neighbours that are still far apart then have a gap between them.
-const MOST_HALVINGS: u8 = 40;
+const MAX_HALVINGS: u8 = 40;
 /// Maximum number of spots of a run, far more than any curve needs.
-const MOST_SPOTS: usize = 6000;
+const MAX_SPOTS: usize = 6000;
 
 /// Absolute value of the third coordinate, with coordinates of size one, below which it is zero up
 /// to rounding.
@@ -87,7 +87,7 @@ fn spots([from, to]: [f64; 2], spot: &impl Fn(f64) -> Option<CurveSpot>) -> Vec<
         refine(
             (at(k), last),
             (at(k + 1), spot(at(k + 1))),
-            MOST_HALVINGS,
+            MAX_HALVINGS,
             spot,
             &mut all,
         );
@@ -112,7 +112,7 @@ fn refine(
     };
     if is_near {
         all.push(b.1);
-    } else if halvings == 0 || all.len() > MOST_SPOTS {
+    } else if halvings == 0 || all.len() > MAX_SPOTS {
         all.extend([None, b.1]);
     } else {
         let middle = 0.5 * (a.0 + b.0);

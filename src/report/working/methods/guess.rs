@@ -35,7 +35,7 @@ enum GuessUnit {
 }
 
 /// Maximum absolute value of a guess. A double of this size leaves few decimals for an angle.
-const FARTHEST: f64 = 1e12;
+const MAX_DISTANCE: f64 = 1e12;
 
 /// The error of a guess that cannot be parsed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -86,7 +86,7 @@ impl FromStr for Guess {
             Some((from, to)) => [read(from)?, read(to)?],
             None => [read(number)?; 2],
         };
-        let is_far = between.iter().any(|value| value.abs() > FARTHEST);
+        let is_far = between.iter().any(|value| value.abs() > MAX_DISTANCE);
         if name.is_empty() || is_far {
             return Err(GuessError);
         }

@@ -14,9 +14,9 @@ use crate::wording::words;
 
 /// Maximum number of unknowns with a full table; beyond it, only magnitudes of residuals, steps and
 /// matrix are shown.
-const MOST_WHOLE: usize = 2;
+const MAX_FULL_TABLE: usize = 2;
 /// Maximum number of unknowns for which a matrix is shown.
-const MOST_COLUMNS: usize = 6;
+const MAX_COLUMNS: usize = 6;
 
 /// Minimum number of steps in which quadratic convergence is visible.
 const FEW: usize = 3;
@@ -52,7 +52,7 @@ pub(super) fn iterate(
         trace: &trace,
     };
     table.equations(draft, stage);
-    if problem.names.len() <= MOST_WHOLE {
+    if problem.names.len() <= MAX_FULL_TABLE {
         table.whole(draft);
         table.matrices(draft);
     } else {
@@ -225,7 +225,7 @@ impl IterationTable<'_> {
 
     fn first_matrix(&self, draft: &mut Draft) {
         let (n, f) = (self.problem.names.len(), self.context.figures);
-        if n > MOST_COLUMNS {
+        if n > MAX_COLUMNS {
             draft.page.text(words().jacobian_too_large(n));
             return;
         }

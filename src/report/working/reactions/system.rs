@@ -10,7 +10,7 @@ use crate::wording::words;
 use crate::{PointId, Slider, Vec2};
 
 /// Maximum number of links for which the equations are shown.
-const MOST_LINKS: usize = 8;
+const MAX_LINKS: usize = 8;
 
 /// An unknown: its value times unit forces on the links.
 struct SoughtForce {
@@ -24,7 +24,7 @@ struct SoughtForce {
 
 /// Writes the unknowns, and every equation.
 pub(super) fn write(context: &Context<'_>, draft: &mut Draft, bodies: &[GroupBody]) {
-    if bodies.len() > MOST_LINKS {
+    if bodies.len() > MAX_LINKS {
         draft.page.text(words().reactions_too_many(bodies.len()));
         return;
     }

@@ -10,11 +10,11 @@ mod subject;
 pub(crate) use record::SessionRun;
 
 use crate::files::{DraftFile, is_held, limited, make_private, open_to_read};
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::tui::Origin;
 use crate::tui::document::gathered::GatheredEdits;
 use crate::wording::words;
-use record::{LONGEST_HEAD, Record, sum};
+use record::{MAX_HEADER_LEN, Record, sum};
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::os::unix::fs::MetadataExt;
@@ -24,10 +24,10 @@ use std::time::SystemTime;
 use subject::RecoverySubject;
 
 /// Maximum number of files read.
-const MOST_FILES: usize = 1000;
+const MAX_FILES: usize = 1000;
 /// Maximum number of attempts to read a file that its session keeps replacing. Such a session is
 /// running.
-const MOST_READS: usize = 10;
+const MAX_READS: usize = 10;
 /// The extension of recorded edits.
 const ENDS: &str = "edits";
 
@@ -143,7 +143,7 @@ impl Recovery {
     pub(crate) fn others(&self, present: &str) -> Others {
         let mut others = Others::default();
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        for entry in entries.take(MOST_FILES) {
+        for entry in entries.take(MAX_FILES) {
             let path = entry.path();
             if path.extension().is_some_and(|end| end == ENDS) {
                 self.judge(path, present, &mut others);
@@ -290,11 +290,11 @@ impl Drop for Recovery {
 /// its file with every edit and unlocks the old one. A file without a directory entry is therefore
 /// read again, not taken for that of an ended session.
 fn read_record(path: &Path) -> Option<(Record, Option<bool>)> {
-    for _ in 0..MOST_READS {
+    for _ in 0..MAX_READS {
         let file = open_to_read(path).ok()?;
         let held = is_held(&file);
         if file.metadata().ok()?.nlink() > 0 {
-            let bytes = limited(&file, LARGEST_FILE + LONGEST_HEAD).ok()?;
+            let bytes = limited(&file, MAX_FILE_SIZE + MAX_HEADER_LEN).ok()?;
             return Some((Record::read(&bytes)?, held));
         }
     }

@@ -26,9 +26,9 @@ const MAGIC: &str = "krank-edits 2";
 /// alone.
 const MAGIC_WAITING: &str = "krank-edits 3";
 /// Maximum length of the header, in bytes.
-pub(super) const LONGEST_HEAD: usize = 16 << 10;
+pub(super) const MAX_HEADER_LEN: usize = 16 << 10;
 /// Maximum length of the host name in a file's name.
-const LONGEST_HOST: usize = 64;
+const MAX_HOST_LEN: usize = 64;
 
 /// Returns this machine's name with all characters but ASCII letters and digits replaced, for use
 /// in a file name.
@@ -36,7 +36,7 @@ fn this_host() -> String {
     let uname = uname();
     let host = uname.nodename().to_string_lossy();
     let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
-    host.chars().map(plain).take(LONGEST_HOST).collect()
+    host.chars().map(plain).take(MAX_HOST_LEN).collect()
 }
 
 /// A run of the program.

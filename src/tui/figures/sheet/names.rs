@@ -3,15 +3,15 @@
 use std::collections::HashMap;
 
 /// Maximum length of a name; longer ones would push the values off a small screen.
-const LONGEST_NAME: usize = 9;
+const MAX_NAME_LEN: usize = 9;
 /// The mark in place of cut characters.
 const CUT: char = '~';
 
 /// Shortens names to the maximum length and keeps different ones different. A name is cut behind
 /// its beginning; if that is not unique, around its first part that occurs in no other name.
 pub(super) fn short_names(names: &[&str]) -> Vec<String> {
-    const HEAD: usize = LONGEST_NAME - 1;
-    const INNER: usize = LONGEST_NAME - 2;
+    const HEAD: usize = MAX_NAME_LEN - 1;
+    const INNER: usize = MAX_NAME_LEN - 2;
     let mut heads = HashMap::new();
     let mut parts = HashMap::new();
     for name in names {
@@ -22,8 +22,8 @@ pub(super) fn short_names(names: &[&str]) -> Vec<String> {
     }
     let short = |name: &&str| -> String {
         // Names in scenes are ASCII, so a byte is a character.
-        if name.len() <= LONGEST_NAME || !name.is_ascii() {
-            return name.chars().take(LONGEST_NAME).collect();
+        if name.len() <= MAX_NAME_LEN || !name.is_ascii() {
+            return name.chars().take(MAX_NAME_LEN).collect();
         }
         let last = name.len() - INNER;
         if heads[&name.get(..HEAD)] == 1 {

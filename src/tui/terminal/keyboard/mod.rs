@@ -30,13 +30,13 @@ const PRESSED: Duration = Duration::from_millis(50);
 /// Maximum pause between pasted bytes; a held key repeats only thirty times a second.
 const HEELS: Duration = Duration::from_millis(25);
 /// Maximum length of a key in bytes.
-const LONGEST_KEY: usize = 8;
+const MAX_KEY_LEN: usize = 8;
 /// Maximum duration of a paste. A longer one lacks its end sequence.
-const LONGEST_PASTING: Duration = Duration::from_secs(2);
+const MAX_PASTE_TIME: Duration = Duration::from_secs(2);
 /// Maximum length of parameters. Longer sequences are skipped up to their end.
-const LONGEST_SEQUENCE: usize = 32;
+const MAX_SEQUENCE_LEN: usize = 32;
 /// Maximum length of a paste into an input line; the rest is dropped.
-const LONGEST_PASTE: usize = 64 * 1024;
+const MAX_PASTE_LEN: usize = 64 * 1024;
 
 const ESC: u8 = 0x1b;
 const CTRL_C: u8 = 0x03;
@@ -150,7 +150,7 @@ impl Keyboard {
         let pause = self
             .last_byte
             .map(|then| now.saturating_duration_since(then));
-        let is_key = bytes.len() <= LONGEST_KEY && !bytes.contains(&CTRL_C);
+        let is_key = bytes.len() <= MAX_KEY_LEN && !bytes.contains(&CTRL_C);
         let has_begun = |end: usize| self.held.ends_with(&PASTE_ENDS[..end]);
         let ends = (1..PASTE_ENDS.len()).any(has_begun) || has_end(bytes);
         is_key && pause >= Some(HEELS) && !ends
@@ -207,12 +207,12 @@ impl Keyboard {
         let is_alone = self
             .last_byte
             .is_none_or(|then| now - then.min(now) >= PRESSED);
-        is_alone && bytes.len() <= LONGEST_KEY && !has_end(bytes)
+        is_alone && bytes.len() <= MAX_KEY_LEN && !has_end(bytes)
     }
 
     /// Delivers the stored part of a paste.
     fn pasted(&mut self, inputs: &mut Vec<TerminalInput>) {
-        self.held.truncate(LONGEST_PASTE);
+        self.held.truncate(MAX_PASTE_LEN);
         if !self.held.is_empty() {
             let text = String::from_utf8_lossy(&self.held).into_owned();
             inputs.push(TerminalInput::Paste(text));
@@ -340,7 +340,7 @@ impl Keyboard {
                 self.begin(Unfinished::Ground);
             }
             0x40..0x7f => {
-                if self.held.len() < LONGEST_SEQUENCE {
+                if self.held.len() < MAX_SEQUENCE_LEN {
                     inputs.extend(csi(&self.held, byte).map(TerminalInput::Key));
                 }
                 self.begin(Unfinished::Ground);
@@ -355,7 +355,7 @@ impl Keyboard {
 
     /// Stores a parameter byte, up to a maximum number.
     fn hold(&mut self, byte: u8) {
-        if self.held.len() < LONGEST_SEQUENCE {
+        if self.held.len() < MAX_SEQUENCE_LEN {
             self.held.push(byte);
         }
     }
@@ -381,7 +381,7 @@ impl Keyboard {
             return;
         }
         self.recent = self.recent << 8 | u64::from(byte);
-        if self.held.len() < LONGEST_PASTE + PASTE_ENDS.len() {
+        if self.held.len() < MAX_PASTE_LEN + PASTE_ENDS.len() {
             self.held.push(byte);
         }
         if self.has_come(PASTE_ENDS) {
@@ -400,8 +400,8 @@ impl Keyboard {
     fn is_pressed(&self, now: Instant) -> bool {
         let since = |then: Option<Instant>| then.map_or(Duration::ZERO, |t| now - t.min(now));
         since(self.last_byte) >= PRESSED
-            || since(self.since) >= LONGEST_PASTING
-            || self.held.len() > LONGEST_PASTE
+            || since(self.since) >= MAX_PASTE_TIME
+            || self.held.len() > MAX_PASTE_LEN
     }
 
     /// Returns `true` if the paste ends with these bytes.

@@ -210,11 +210,11 @@ fn pastes_of_any_length_produce_no_keys() {
     let pieces: Vec<&[u8]> = pasted.chunks(1).collect();
     assert_eq!(keys_of(&pieces), vec![TerminalInput::Paste(text)]);
     let mut long = b"\x1b[200~".to_vec();
-    long.resize(3 * LONGEST_PASTE, b'q');
+    long.resize(3 * MAX_PASTE_LEN, b'q');
     long.extend_from_slice(b"\x1b[201~ ");
     let inputs = key_of(&long);
     assert!(
-        matches!(&inputs[..], [TerminalInput::Paste(text), TerminalInput::Key(_)] if text.len() == LONGEST_PASTE)
+        matches!(&inputs[..], [TerminalInput::Paste(text), TerminalInput::Key(_)] if text.len() == MAX_PASTE_LEN)
     );
 }
 
@@ -232,14 +232,14 @@ fn ctrl_c_ends_unterminated_paste() {
     inputs.clear();
     keyboard.feed(b"\x1b[200~", begun, &mut inputs);
     let mut now = begun;
-    while now < begun + LONGEST_PASTING {
+    while now < begun + MAX_PASTE_TIME {
         now += PRESSED / 5;
         keyboard.feed(b"text", now, &mut inputs);
     }
     keyboard.feed(b"text\x03text", now, &mut inputs);
     assert_eq!(inputs[..1], leave[..]);
     let mut endless = b"\x1b[200~".to_vec();
-    endless.resize(2 * LONGEST_PASTE, b'q');
+    endless.resize(2 * MAX_PASTE_LEN, b'q');
     endless.push(3);
     assert_eq!(key_of(&endless), leave);
 }
@@ -355,7 +355,7 @@ proptest! {
         let now = Instant::now();
         for piece in &pieces {
             keyboard.feed(piece, now, &mut inputs);
-            prop_assert!(keyboard.held.len() <= LONGEST_PASTE + PASTE_ENDS.len());
+            prop_assert!(keyboard.held.len() <= MAX_PASTE_LEN + PASTE_ENDS.len());
         }
         let is_pasting = keyboard.state == Unfinished::Paste;
         inputs.clear();

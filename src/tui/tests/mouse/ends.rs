@@ -36,7 +36,12 @@ fn free_end_follows_pointer_at_any_link_angle() {
     ] {
         let opened = opening::preset(presets::find(preset).unwrap()).unwrap();
         // Dragging does not depend on colours.
-        let mut bench = bench_of(opened, "M 6", Size::new(WIDEST, HIGHEST), Colours::None);
+        let mut bench = bench_of(
+            opened,
+            "M 6",
+            Size::new(MAX_WIDTH, MAX_HEIGHT),
+            Colours::None,
+        );
         let text = bench.app().open_scene().scene().text().to_owned();
         let from = place_of(&mut bench, name);
         let at = bench.app().open_scene().at();
@@ -59,7 +64,7 @@ fn free_end_follows_pointer_at_any_link_angle() {
 /// P of Hoecken's linkage is on the coupler's own x axis: a drag along it changes nothing else.
 #[test]
 fn drag_edits_coordinates_in_link_frame() {
-    let mut bench = bench_on("hoecken", "M 6", Size::new(WIDEST, HIGHEST));
+    let mut bench = bench_on("hoecken", "M 6", Size::new(MAX_WIDTH, MAX_HEIGHT));
     let (from, other) = (place_of(&mut bench, "P"), place_of(&mut bench, "C"));
     let along = (from - other) / (from - other).norm();
     drag(&mut bench, from, &[along * -40.0]);
@@ -76,7 +81,7 @@ fn drag_edits_coordinates_in_link_frame() {
 /// Each drag is a separate edit, even of the point with the cursor.
 #[test]
 fn each_drag_of_an_end_is_one_undo_step() {
-    let mut bench = bench_on("hoecken", "M 6", Size::new(WIDEST, HIGHEST));
+    let mut bench = bench_on("hoecken", "M 6", Size::new(MAX_WIDTH, MAX_HEIGHT));
     let text = |bench: &mut Workbench| bench.app().open_scene().scene().text().to_owned();
     let mut texts = vec![text(&mut bench)];
     for _ in 0..2 {
@@ -97,7 +102,7 @@ fn each_drag_of_an_end_is_one_undo_step() {
 /// The foot of Klann's leg is the far end of its link, which only the link's length can move.
 #[test]
 fn dragging_far_end_changes_only_link_length() {
-    let mut bench = bench_on("klann-leg", "M 6", Size::new(WIDEST, HIGHEST));
+    let mut bench = bench_on("klann-leg", "M 6", Size::new(MAX_WIDTH, MAX_HEIGHT));
     let before = bench.app().open_scene().scene().text().to_owned();
     let (from, hip) = (place_of(&mut bench, "foot"), place_of(&mut bench, "hip"));
     let along = (from - hip) / (from - hip).norm();
@@ -123,7 +128,7 @@ fn dragging_polar_point_changes_length_and_angle() {
     let text = text.replace("P = [200, 0]", seen);
     assert!(text.contains(seen));
     let opened = opening::text(&text, Origin::Stdin).unwrap();
-    let size = Size::new(WIDEST, HIGHEST);
+    let size = Size::new(MAX_WIDTH, MAX_HEIGHT);
     let mut bench = bench_of(opened, "M 6", size, Colours::Sixteen);
     let from = place_of(&mut bench, "P");
     let by = [Vec2::new(-6.0, 9.0), Vec2::new(-12.0, 30.0)];

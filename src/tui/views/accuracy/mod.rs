@@ -27,7 +27,7 @@ use ratatui::layout::Rect;
 const NARROW: u16 = 37;
 const WIDE: u16 = 59;
 /// Minimum width of a chart next to the list; on a narrower screen the chart is above the list.
-const LEAST_CHART: u16 = 34;
+const MIN_CHART: u16 = 34;
 /// Minimum and maximum height of a chart above the list, which takes half of the area.
 const ROWS_ABOVE: (u16, u16) = (7, 18);
 
@@ -42,7 +42,7 @@ fn arrange(area: Rect) -> AccuracyAreas {
     let beside = |list: u16| {
         area.width
             .checked_sub(list + sides)
-            .filter(|&w| w >= LEAST_CHART)
+            .filter(|&w| w >= MIN_CHART)
     };
     let both = |width: u16| AccuracyAreas {
         chart: Rect { width, ..area },
@@ -77,7 +77,7 @@ struct MethodAreas {
 /// Width of the table of iterations. The chart is next to it on a wide screen and above it on a
 /// high one.
 const ITERATIONS: u16 = 80;
-const LEAST_HEIGHT: u16 = 18;
+const MIN_HEIGHT: u16 = 18;
 const CHART_ROWS: u16 = 8;
 
 fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
@@ -89,7 +89,7 @@ fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
         return whole;
     }
     let beside = area.width.checked_sub(ITERATIONS + 1 + MARGIN);
-    if let Some(width) = beside.filter(|&width| width >= LEAST_CHART) {
+    if let Some(width) = beside.filter(|&width| width >= MIN_CHART) {
         let (x, rest) = (area.x + width, area.width - width);
         let list = inset(Rect {
             x,
@@ -99,7 +99,7 @@ fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
         let chart = Some(Rect { width, ..area });
         return MethodAreas { chart, list };
     }
-    if area.height < LEAST_HEIGHT {
+    if area.height < MIN_HEIGHT {
         return whole;
     }
     let height = CHART_ROWS.max(area.height / 3);

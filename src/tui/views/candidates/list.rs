@@ -16,8 +16,8 @@ use std::time::Duration;
 /// Playing time between two points of the task, in seconds; the next two limit the time of the
 /// whole motion.
 const STRETCH: f64 = 0.8;
-const SHORTEST_WAY: f64 = 1.6;
-const LONGEST_WAY: f64 = 6.0;
+const MIN_TRAVEL_TIME: f64 = 1.6;
+const MAX_TRAVEL_TIME: f64 = 6.0;
 
 /// A search, shared by the thread that searches and the one that shows its progress.
 #[derive(Debug, Default)]
@@ -377,7 +377,7 @@ impl WayPlayed {
             return;
         };
         let most = stretches as f64;
-        let whole = (most * STRETCH).clamp(SHORTEST_WAY, LONGEST_WAY);
+        let whole = (most * STRETCH).clamp(MIN_TRAVEL_TIME, MAX_TRAVEL_TIME);
         let by = now.saturating_sub(since).as_secs_f64() * most / whole;
         // One round goes to the end and back.
         let before = if self.is_back {

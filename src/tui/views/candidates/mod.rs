@@ -38,9 +38,9 @@ const INDENT: u16 = 2;
 const MISS: u16 = 8;
 const GAP: u16 = 1;
 /// Minimum height of the drawing, in lines.
-const LOWEST_DRAWING: u16 = 6;
+const MIN_DRAWING_HEIGHT: u16 = 6;
 /// Maximum height of the verdict on all candidates, in lines.
-const MOST_VERDICT: usize = 4;
+const MAX_VERDICT: usize = 4;
 
 pub(super) fn render(app: &App, list: &CandidateList, screen: Rect, buffer: &mut Buffer) {
     title(app, list, row(screen, 0), buffer);
@@ -282,7 +282,7 @@ fn candidate(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
 
 /// Prints the facts at the bottom of an area and returns the area above them for a drawing.
 fn beside(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Rect {
-    let most = area.height.saturating_sub(LOWEST_DRAWING);
+    let most = area.height.saturating_sub(MIN_DRAWING_HEIGHT);
     let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
     let (picture, text) = split(area, area.height - lines);
     for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
@@ -335,7 +335,7 @@ fn facts(app: &App, list: &CandidateList, width: usize) -> Vec<(String, ScreenPa
         (row.lengths.clone(), ScreenPart::Text, usize::MAX),
         (lacks, ScreenPart::Warning, usize::MAX),
         (row.reasons.clone(), ScreenPart::Warning, usize::MAX),
-        (list.verdict().to_owned(), ScreenPart::Quiet, MOST_VERDICT),
+        (list.verdict().to_owned(), ScreenPart::Quiet, MAX_VERDICT),
         (legend.to_owned(), ScreenPart::Quiet, usize::MAX),
     ];
     in_lines(app, said, width)

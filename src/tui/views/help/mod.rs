@@ -30,7 +30,7 @@ const KEYS: u16 = 13;
 /// Blanks between two columns of lines.
 const GAP: u16 = 2;
 /// More columns than this are no help.
-const MOST_COLUMNS: u16 = 3;
+const MAX_COLUMNS: u16 = 3;
 
 /// What is said where no key was found: which topics of the manual tell of it.
 fn nothing(sought: &str) -> Vec<String> {
@@ -200,7 +200,7 @@ pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
 /// Columns of lines for which there is room.
 fn count(area: Rect) -> u16 {
     let room = (area.width + GAP).saturating_sub(BORDER.0);
-    (room / (line_columns() + GAP)).clamp(1, MOST_COLUMNS)
+    (room / (line_columns() + GAP)).clamp(1, MAX_COLUMNS)
 }
 
 fn width(area: Rect) -> u16 {

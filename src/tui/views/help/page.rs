@@ -12,7 +12,7 @@ use super::{print, print_right, searched};
 use crate::manual::{LineKind, ManualLine, TOPICS, Topic, folded, lines};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::keymap::Keymap;
-use crate::tui::views::LEAST;
+use crate::tui::views::MIN_VALUE;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -73,7 +73,7 @@ pub(super) fn extent(help: &Help, area: Rect) -> (usize, usize) {
 
 /// A topic on a screen of so many columns. On a narrower one than any is shown on it is laid out as on the narrowest.
 pub(super) fn lines_of(topic: &Topic, columns: u16, keymap: &Keymap) -> Vec<ManualLine> {
-    let columns = usize::from(columns.max(LEAST.width));
+    let columns = usize::from(columns.max(MIN_VALUE.width));
     let lines = lines(&topic.text(|| rows_of(keymap)), columns).into_iter();
     lines.flat_map(|line| folded(line, columns)).collect()
 }

@@ -27,13 +27,13 @@ const ROOM_BESIDE: u16 = 72;
 const BESIDE_TABLES: u16 = 58;
 /// Tables below the drawing get at most one third of the height.
 const TABLE_SHARE: u16 = 3;
-const LOWEST_TABLE: u16 = 4;
+const MIN_TABLE_HEIGHT: u16 = 4;
 /// Minimum height for the separator and the title; on lower screens the drawing gets their lines.
 const ROOM_FOR_RULE: u16 = 14;
 /// Minimum height of a drawing.
-const LOWEST_DRAWING: u16 = 4;
+const MIN_DRAWING_HEIGHT: u16 = 4;
 /// Maximum number of legend lines; a low screen shows one.
-const MOST_LEGEND: usize = 2;
+const MAX_LEGEND: usize = 2;
 
 /// Arranges the view's parts in an area.
 pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
@@ -76,7 +76,7 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     let most = if area.height < ROOM_FOR_RULE {
         1
     } else {
-        MOST_LEGEND
+        MAX_LEGEND
     };
     let view = window(app, area);
     let width = usize::from(inset(area).width);
@@ -130,7 +130,7 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let [vectors, all] = [placed.vector_lines(), placed.lines().len()]
         .map(|lines| u16::try_from(lines).unwrap_or(u16::MAX))
         .map(|lines| lines.saturating_add(table::title_lines(app)));
-    let share = (area.height / TABLE_SHARE).max(LOWEST_TABLE);
+    let share = (area.height / TABLE_SHARE).max(MIN_TABLE_HEIGHT);
     let rule = u16::from(area.height >= ROOM_FOR_RULE);
     let drawing = area.height.saturating_sub(vectors.min(share) + rule);
     // If the width limits the drawing's scale, the unused rows show more of the tables.
@@ -143,7 +143,7 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     };
     // A tolerance, so that a rounding error does not shrink the drawing.
     let least = scale_at(drawing) * (1.0 - 1e-9);
-    let drawing = (lowest.max(LOWEST_DRAWING)..drawing)
+    let drawing = (lowest.max(MIN_DRAWING_HEIGHT)..drawing)
         .find(|&lower| scale_at(lower) >= least)
         .unwrap_or(drawing);
     let table = area.height.saturating_sub(drawing + rule);

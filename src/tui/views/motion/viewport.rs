@@ -20,7 +20,7 @@ const GHOSTS: u16 = 6;
 const ROOM_FOR_ARROWS: u16 = 12;
 
 /// Maximum number of traces that the legend names.
-const MOST_NAMES: usize = 3;
+const MAX_NAMES: usize = 3;
 
 /// Width and maximum height of an exported drawing, in character cells.
 const PICTURE: (u16, u16) = (100, 50);
@@ -191,7 +191,7 @@ impl Viewport {
         let names = wanted.traces.iter().filter_map(|&p| scene.point_name(p));
         let names: Vec<&str> = names.collect();
         self.traced = match names.len() {
-            0..=MOST_NAMES => words().trace_of(&names.join(",")),
+            0..=MAX_NAMES => words().trace_of(&names.join(",")),
             more => words().traces_of(more),
         };
         self.made = (!wanted.is_empty()).then_some((open_scene.edition().clone(), wanted));

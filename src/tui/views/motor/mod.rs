@@ -23,7 +23,7 @@ use ratatui::layout::Rect;
 const WIDE: u16 = 66;
 const NARROW: u16 = 42;
 /// Minimum width of a curve next to the values; on a narrower screen the curve is above them.
-const LEAST_CURVE: u16 = 44;
+const MIN_CURVE: u16 = 44;
 /// Blanks between the curve and the values.
 const GAP: u16 = 2;
 /// Minimum and maximum height of a curve above the values, which takes two fifths of the area.
@@ -43,7 +43,7 @@ fn arrange(app: &App, area: Rect) -> MotorAreas {
     }
     let beside = |list: u16| {
         let left = area.width.checked_sub(list + 1 + MARGIN);
-        left.filter(|&width| width >= LEAST_CURVE)
+        left.filter(|&width| width >= MIN_CURVE)
     };
     if let Some(width) = beside(WIDE).or(beside(NARROW)) {
         let list = Rect {

@@ -1,7 +1,7 @@
 //! Reads a folder for the scene picker: its folders, and its files that end in `.toml`.
 
 use crate::files::read_file;
-use crate::scene::LARGEST_FILE;
+use crate::scene::MAX_FILE_SIZE;
 use crate::task_file::TaskFile;
 use std::ffi::OsStr;
 use std::fs::{self, DirEntry};
@@ -11,10 +11,10 @@ use std::path::{Path, PathBuf};
 /// File name extension of scenes.
 const ENDING: &str = "toml";
 /// Maximum number of entries read. A longer list is of no use, and reading it would delay the keys.
-const MOST_ENTRIES: usize = 50_000;
+const MAX_ENTRIES: usize = 50_000;
 
 /// Maximum number of files whose contents are read to detect tasks; more would take too long.
-const MOST_READ: usize = 1000;
+const MAX_FILES_READ: usize = 1000;
 
 /// The entries of a folder, each list sorted by name.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -35,7 +35,7 @@ impl Folder {
     pub(crate) fn read(path: &Path) -> io::Result<Folder> {
         let mut folder = Folder::default();
         for (seen, entry) in fs::read_dir(path)?.enumerate() {
-            if seen == MOST_ENTRIES {
+            if seen == MAX_ENTRIES {
                 folder.is_cut = true;
                 break;
             }
@@ -51,7 +51,7 @@ impl Folder {
     /// Removes the files that contain tasks. If there are many files, they are kept unread and
     /// checked when opened.
     pub(super) fn leave_out_tasks(&mut self) {
-        if self.scenes.len() <= MOST_READ {
+        if self.scenes.len() <= MAX_FILES_READ {
             self.scenes.retain(|path| !is_task(path));
         }
     }
@@ -78,7 +78,7 @@ fn is_folder(entry: &DirEntry, path: &Path) -> bool {
 
 /// Returns `true` if a file is readable and contains a task.
 fn is_task(path: &Path) -> bool {
-    read_file(path, LARGEST_FILE).is_ok_and(|bytes| TaskFile::is_meant(&bytes))
+    read_file(path, MAX_FILE_SIZE).is_ok_and(|bytes| TaskFile::is_meant(&bytes))
 }
 
 /// Returns a sort key that ignores case first and then distinguishes it, so that the order is

@@ -93,7 +93,7 @@ pub(crate) struct Picker {
 }
 
 /// Maximum length of a search, in characters; a longer one would not find more.
-const LONGEST_SEARCH: usize = 40;
+const MAX_SEARCH_LEN: usize = 40;
 /// The entry that leads to the parent folder.
 const ABOVE: &str = "..";
 
@@ -227,7 +227,7 @@ impl Picker {
     /// Appends a character to the search. Rejects control characters that could affect the
     /// terminal, and a leading blank.
     pub(crate) fn push(&mut self, c: char) {
-        let fits = self.search.chars().count() < LONGEST_SEARCH;
+        let fits = self.search.chars().count() < MAX_SEARCH_LEN;
         if fits && !is_harmful(c) && !(c == ' ' && self.search.is_empty()) {
             self.search.push(c);
             self.search_again();

@@ -36,7 +36,7 @@ pub(super) struct PickerAreas {
 /// Arranges a list and the preview next to it; the list has one width on usual screens and one on
 /// wide ones.
 pub(super) fn arrange(area: Rect, [usual, wide]: [u16; 2]) -> PickerAreas {
-    if area.width < NARROWEST || area.height < LOWEST {
+    if area.width < MIN_WIDTH || area.height < MIN_HEIGHT {
         let list = inset(area);
         return PickerAreas {
             list,
@@ -177,7 +177,7 @@ fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &
     print(buffer, x, area.y, area.width, &name, part(ScreenPart::Text));
     // Titles are aligned in a column.
     let x = x + NAMES;
-    if area.right() >= x + SHORTEST_TITLE && columns(&name) < NAMES {
+    if area.right() >= x + MIN_TITLE_LEN && columns(&name) < NAMES {
         let title = cut(
             &shown(&item.title, app.glyphs()),
             usize::from(area.right() - x),
@@ -233,7 +233,7 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
     let facts = facts(sample, area.width.into());
     let most = area
         .height
-        .saturating_sub(LOWEST_DRAWING)
+        .saturating_sub(MIN_DRAWING_HEIGHT)
         .min(area.height / 2);
     let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
     let (picture, text) = split(area, area.height - lines);
@@ -272,9 +272,9 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
     let told = |text: &Option<String>| words().told_of_scene(text.as_deref().unwrap_or_default());
     let (source, note) = (told(&scene.source), told(&scene.note));
     let said = [
-        (own.as_str(), MOST_FACTS, ScreenPart::Text),
-        (source.as_str(), MOST_SOURCE, ScreenPart::Quiet),
-        (note.as_str(), MOST_NOTE, ScreenPart::Text),
+        (own.as_str(), MAX_FACTS, ScreenPart::Text),
+        (source.as_str(), MAX_SOURCE, ScreenPart::Quiet),
+        (note.as_str(), MAX_NOTE, ScreenPart::Text),
     ];
     let said = said.into_iter().filter(|(text, ..)| !text.is_empty());
     said.flat_map(|(text, most, part)| lines(text, most, part))
@@ -389,8 +389,8 @@ fn ending(text: &str, most: usize) -> String {
 }
 
 /// Minimum screen size for a preview; on a smaller screen the list is alone.
-const NARROWEST: u16 = 70;
-const LOWEST: u16 = 14;
+const MIN_WIDTH: u16 = 70;
+const MIN_HEIGHT: u16 = 14;
 /// Widths of the list with its margins: on usual screens, and on wide ones with titles behind the
 /// names.
 const LISTS: [u16; 2] = [30, 56];
@@ -400,10 +400,10 @@ const ROOM_FOR_TITLES: u16 = 110;
 const INDENT: u16 = 2;
 /// Width of the names in front of titles, and the minimum width of a title.
 const NAMES: u16 = 22;
-const SHORTEST_TITLE: u16 = 24;
+const MIN_TITLE_LEN: u16 = 24;
 /// Minimum height of the drawing, in lines.
-const LOWEST_DRAWING: u16 = 6;
+const MIN_DRAWING_HEIGHT: u16 = 6;
 /// Maximum numbers of lines for the facts, the source and the note.
-const MOST_FACTS: usize = 2;
-const MOST_SOURCE: usize = 2;
-const MOST_NOTE: usize = 3;
+const MAX_FACTS: usize = 2;
+const MAX_SOURCE: usize = 2;
+const MAX_NOTE: usize = 3;

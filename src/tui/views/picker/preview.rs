@@ -3,7 +3,7 @@
 use crate::Input;
 use crate::drawing::Reach;
 use crate::report::wanted;
-use crate::scene::{Diagnostics, LARGEST_FILE, Scene, presets};
+use crate::scene::{Diagnostics, MAX_FILE_SIZE, Scene, presets};
 use crate::solver::{Order, Range, Solver, State};
 use crate::tui::document::opening::{self, OpenedFile, Unopened};
 use crate::tui::player::driver_range::DriverRange;
@@ -16,7 +16,7 @@ use std::path::Path;
 
 /// Maximum size of a previewed file. A larger one could take longer than the time between two keys,
 /// so it is opened only on request.
-const LARGEST: u64 = 32 << 10;
+const MAX_SIZE: u64 = 32 << 10;
 /// Number of cached previews, so that moving back and forth costs nothing.
 const KEPT: usize = 24;
 
@@ -126,7 +126,7 @@ fn of_text(text: &str, name: &str) -> Preview {
 fn of_file(path: &Path) -> Preview {
     let size = fs::metadata(path).map_or(0, |file| if file.is_file() { file.len() } else { 0 });
     // Opening a file too large for any scene fails below, without reading it to its end.
-    if (LARGEST + 1..=LARGEST_FILE as u64).contains(&size) {
+    if (MAX_SIZE + 1..=MAX_FILE_SIZE as u64).contains(&size) {
         let size = size.div_ceil(1 << 10);
         return Preview::Unseen(words().too_large_for_preview(size));
     }

@@ -27,8 +27,8 @@ use writer::Writer;
 
 /// Maximum and minimum width of a scene's name. It is cut, sooner on short lines, and left out if
 /// less than the minimum remains.
-const LONGEST_SCENE: usize = 20;
-const SHORTEST_SCENE: u16 = 6;
+const MAX_SCENE_LEN: usize = 20;
+const MIN_SCENE_LEN: u16 = 6;
 
 /// Minimum width of a line with double blanks between its parts.
 const ROOM_FOR_GAPS: u16 = 60;
@@ -129,8 +129,8 @@ fn with_hints(app: &App, narrow: bool, line: &mut Writer<'_>) {
     let leading_on = columns(&key) + 1 + columns(name);
     let behind = columns(&driver) + columns(state) + leading_on + 3 * gap;
     let room = line.room().saturating_sub(behind);
-    if room >= SHORTEST_SCENE && !(narrow && is_listing(app)) {
-        let longest = usize::from(room - gap).min(LONGEST_SCENE);
+    if room >= MIN_SCENE_LEN && !(narrow && is_listing(app)) {
+        let longest = usize::from(room - gap).min(MAX_SCENE_LEN);
         line.say(&cut(&facts::scene(app), longest), ScreenPart::Text);
         line.gap(gap);
     }

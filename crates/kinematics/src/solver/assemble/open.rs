@@ -8,7 +8,7 @@ use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
 /// Maximum number of combinations tried: all of four undecided groups.
-const MOST_TRIED: u32 = 16;
+const MAX_TRIED: u32 = 16;
 
 impl Assembler<'_> {
     /// Returns the fault of an undecided group, with the later undecided groups. The possible
@@ -26,7 +26,7 @@ impl Assembler<'_> {
         };
         let first = OpenChoice { point, choices };
         let mut best = None;
-        for tried in 0..MOST_TRIED {
+        for tried in 0..MAX_TRIED {
             let mut found = Vec::new();
             let open = first.clone();
             let ends =

@@ -15,7 +15,7 @@ const GRAINS: [f64; 2] = [1e-6, 1e-9];
 /// Number of directions tried for a link of a coupled group with insufficient data.
 const TRIED_DIRECTIONS: usize = 12;
 /// Maximum number of combinations of such directions.
-const MOST_TRIALS: usize = 1728;
+const MAX_TRIALS: usize = 1728;
 /// A lower limit for large groups: a trial costs up to the cube of the number of unknowns. All
 /// trials together take at most about half a second.
 const TRIAL_WORK: usize = 5_000_000;
@@ -24,7 +24,7 @@ const TRIAL_WORK: usize = 5_000_000;
 /// all solutions are searched.
 const ROUGH: f64 = 0.05;
 /// Maximum number of trials with the slower method.
-const MOST_CAREFUL: usize = 32;
+const MAX_CAREFUL_TRIALS: usize = 32;
 
 /// Number of combinations of directions if curve tracing finds the other solutions.
 const SPARSE: usize = 48;
@@ -216,7 +216,7 @@ impl Assembler<'_> {
         let (most, stride) = match care {
             Care::Newton => (usize::MAX, 1),
             Care::Sparse => (usize::MAX, stride(guesses.len())),
-            Care::TrustRegion => (MOST_CAREFUL, 1),
+            Care::TrustRegion => (MAX_CAREFUL_TRIALS, 1),
         };
         for directions in guesses.iter().step_by(stride).take(most) {
             for &middle in &middles {
@@ -280,7 +280,7 @@ impl Assembler<'_> {
         wanted: &[(PointId, Vec2)],
         state: &State,
     ) -> Vec<Vec<Vec2>> {
-        let most = (TRIAL_WORK / group.unknowns().pow(3)).min(MOST_TRIALS);
+        let most = (TRIAL_WORK / group.unknowns().pow(3)).min(MAX_TRIALS);
         let mut guesses = vec![Vec::new()];
         for &link in group.turning() {
             let read = self.read_direction(number, link, wanted, state);

@@ -4,10 +4,10 @@ use super::errors::LinkError;
 use crate::arithmetic::{Decimal, Halves, Product, U, half_ulp, typed_radius};
 use crate::{Double, Vec2, angle};
 
-/// Minimum of a 15-digit decimal as a whole number, in a suitable unit. `MOST_DIGITS` is the upper
+/// Minimum of a 15-digit decimal as a whole number, in a suitable unit. `MAX_DIGITS` is the upper
 /// limit.
-const LEAST_DIGITS: f64 = 1e14;
-const MOST_DIGITS: f64 = 1e15;
+const MIN_DIGITS: f64 = 1e14;
+const MAX_DIGITS: f64 = 1e15;
 /// The inverses of these units. A double holds no larger power of ten exactly.
 const UNITS: [f64; 23] = [
     1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
@@ -33,10 +33,10 @@ impl AskedCoordinate {
     #[inline(always)]
     pub(in crate::solver) fn of<const FUSED: bool>(at: f64) -> AskedCoordinate {
         // A whole number is exact.
-        if at.abs() < MOST_DIGITS && at == at.trunc() {
+        if at.abs() < MAX_DIGITS && at == at.trunc() {
             return AskedCoordinate::default();
         }
-        if at.abs() >= MOST_DIGITS {
+        if at.abs() >= MAX_DIGITS {
             return AskedCoordinate::within(typed_radius_of_many(at));
         }
         let Some(unit) = unit_of(at.abs()) else {
@@ -45,7 +45,7 @@ impl AskedCoordinate {
         // Both are whole and below 2^53: their quotient is the double as which the decimal is read.
         let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
         let whole = hi.round_ties_even();
-        if whole.abs() < MOST_DIGITS && whole / unit == at {
+        if whole.abs() < MAX_DIGITS && whole / unit == at {
             let rest = ((whole - hi) - lo) * (1.0 / unit);
             let asked = AskedCoordinate {
                 rest,
@@ -102,7 +102,7 @@ fn unit_of(size: f64) -> Option<f64> {
     let e = (size.to_bits() >> 52) as i32 - 1023;
     let most = (14 - ((e * 1233) >> 12)).max(0) as usize;
     let less = most.saturating_sub(1);
-    let is_enough = size * UNITS.get(less)? >= LEAST_DIGITS;
+    let is_enough = size * UNITS.get(less)? >= MIN_DIGITS;
     UNITS.get(if is_enough { less } else { most }).copied()
 }
 

@@ -7,9 +7,9 @@ use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
 
 /// Newton's method has failed where it needs more steps: quadratic convergence takes four or five.
-const MOST_STEPS: u32 = 50;
+const MAX_STEPS: u32 = 50;
 /// Halvings of half a turn after which no double lies between the ends.
-const MOST_HALVINGS: u32 = 60;
+const MAX_HALVINGS: u32 = 60;
 
 /// How the one unknown of a group is an angle.
 #[derive(Clone, Debug)]
@@ -51,7 +51,7 @@ impl Coupled {
         scratch: &mut Scratch<T>,
     ) -> Option<u32> {
         let mut room = self.open(scratch);
-        for steps in 1..=MOST_STEPS {
+        for steps in 1..=MAX_STEPS {
             self.residuals(q, state, &mut room);
             if self.step(q, state, &mut room)? <= tolerance {
                 return Some(steps);
@@ -152,7 +152,7 @@ impl Coupled {
             return None;
         }
         let mut halvings = 0;
-        while halvings < MOST_HALVINGS {
+        while halvings < MAX_HALVINGS {
             let middle = 0.5 * (above + below);
             if middle == above || middle == below {
                 break;

@@ -13,8 +13,8 @@ use crate::solver::state::State;
 
 /// Steps along a curve, in scaled lengths and radians: at the most, and below which a curve is given up:
 /// there it branches.
-const LONGEST: f64 = 0.04;
-const SHORTEST: f64 = 1e-5;
+const MAX_LEN: f64 = 0.04;
+const MIN_LEN: f64 = 1e-5;
 /// The correction behind a step may be this part of it: more could be another curve.
 const STRAIN: f64 = 0.1;
 /// So much a curve may turn in one step, as a cosine.
@@ -30,7 +30,7 @@ const FAR: f64 = 64.0;
 /// Steps in all, for a group of one unknown; a step of n unknowns counts n^3 times.
 const WORK: usize = 4_000_000;
 /// More solutions are not looked for.
-const MOST: usize = 256;
+const MAX_COUNT: usize = 256;
 
 /// A place on a curve: z, the curve's direction there, and by how much the equation misses.
 #[derive(Clone)]
@@ -71,7 +71,7 @@ impl Coupled {
             followed: Vec::new(),
         };
         let mut next = 0;
-        while next < tracer.roots.len().min(MOST) {
+        while next < tracer.roots.len().min(MAX_COUNT) {
             for row in 0..self.unknowns() {
                 tracer.follow(next, row);
             }
@@ -99,12 +99,12 @@ impl Tracer<'_> {
         let Some(mut here) = self.begin(root, row, sense) else {
             return false;
         };
-        let mut step = 0.25 * LONGEST;
+        let mut step = 0.25 * MAX_LEN;
         // A solution is a place where nothing misses: the sign is that of the way on.
         here.miss = 0.0;
         let mut before = f64::INFINITY;
         let mut is_first = true;
-        while step >= SHORTEST && self.afford() {
+        while step >= MIN_LEN && self.afford() {
             let Some(there) = self.advance(row, &here, step) else {
                 step *= 0.5;
                 continue;
@@ -130,7 +130,7 @@ impl Tracer<'_> {
             }
             (before, is_first) = (here.miss.abs(), false);
             here = there;
-            step = (1.5 * step).min(LONGEST);
+            step = (1.5 * step).min(MAX_LEN);
         }
         false
     }
@@ -255,7 +255,7 @@ impl Tracer<'_> {
 /// Two solutions that are further apart than this, in units of about the longest link and in radians, are not one.
 pub(in crate::solver) const SAME: f64 = 1e-6;
 /// Two solutions that are closer than this, the square root of a rounding, cannot be told apart.
-const LEAST_APART: f64 = 1e-8;
+const MIN_DISTANCE: f64 = 1e-8;
 /// Halfway between two solutions that are not one the equations miss by more than this: the rounding of their terms.
 const HALFWAY: f64 = 4.0 * f64::EPSILON;
 
@@ -275,8 +275,8 @@ impl Coupled {
         scratch: &mut Scratch,
     ) -> bool {
         let apart = distance(a, b);
-        if !(apart < SAME) || apart < LEAST_APART {
-            return apart < LEAST_APART;
+        if !(apart < SAME) || apart < MIN_DISTANCE {
+            return apart < MIN_DISTANCE;
         }
         let room = self.open(scratch);
         for (z, (a, b)) in room.z.iter_mut().zip(a.iter().zip(b)) {

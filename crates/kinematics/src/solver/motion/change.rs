@@ -24,7 +24,7 @@ const APPROACHES: i32 = 11;
 /// How far beyond a place the other assembly is held against what was set aside, and what is no rounding
 /// of a misfit there.
 const LED: f64 = 1e-4;
-const LEAST_MISS: f64 = 1e-9;
+const MIN_MISS: f64 = 1e-9;
 /// An extreme of a dyad's stretch belongs to a limit if it is at most this close to it, in radians or scaled
 /// lengths: it is sought from the first of these distances on, each wider than the last.
 const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
@@ -188,7 +188,7 @@ impl Walker<'_> {
         let misses = (other(LED), other(2.0 * LED));
         self.state = saved;
         // In proportion to the distance; what only parts with its square is singular as well.
-        matches!(misses, (Some(near), Some(far)) if near > LEAST_MISS && far < 3.0 * near)
+        matches!(misses, (Some(near), Some(far)) if near > MIN_MISS && far < 3.0 * near)
     }
 
     /// Changes the sign of the group of a step.

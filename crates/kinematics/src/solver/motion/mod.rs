@@ -23,7 +23,7 @@ use super::plan::GroupId;
 use super::workspace::Workspace;
 use crate::angle::TURN;
 use proved_ends::BoundedEnd;
-use walk::{MOST_TURNS, PUSH_REACH, Walker};
+use walk::{MAX_TURNS, PUSH_REACH, Walker};
 
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -197,7 +197,7 @@ impl Motion {
             (high, -1.0)
         };
         let ulp = self.finest.max(f64::EPSILON * end.abs());
-        let draws = (0..MOST_DRAWS).map(move |k| end + inwards * ulp * f64::from(k).exp2());
+        let draws = (0..MAX_DRAWS).map(move |k| end + inwards * ulp * f64::from(k).exp2());
         draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
@@ -216,7 +216,7 @@ impl Motion {
 }
 
 /// Doublings from one ulp by which a coordinate is drawn back from the end of a range, at the most.
-const MOST_DRAWS: i32 = 24;
+const MAX_DRAWS: i32 = 24;
 
 /// Follows the motion from a solved state at `start`.
 ///
@@ -314,7 +314,7 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
         Range::Full { .. } => Vec::new(),
         Range::Limited { low, high } => {
             let reach = if engine.turns {
-                angle_turn(MOST_TURNS)
+                angle_turn(MAX_TURNS)
             } else {
                 PUSH_REACH * engine.frame.scale
             };

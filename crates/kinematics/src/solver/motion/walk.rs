@@ -33,11 +33,11 @@ const PUSH_STEP: f64 = 1.0 / 128.0;
 /// How many longest lengths a slide is followed.
 pub(super) const PUSH_REACH: f64 = 64.0;
 /// Steps into which one degree, or one push, may fall: a hundred halvings and as many doublings.
-const MOST_STEPS: usize = 400;
+const MAX_STEPS: usize = 400;
 /// Halvings between two doubles, at the most.
-const MOST_HALVINGS: usize = 1100;
+const MAX_HALVINGS: usize = 1100;
 /// Turns after which a motion must have closed.
-pub(super) const MOST_TURNS: usize = 16;
+pub(super) const MAX_TURNS: usize = 16;
 /// Samples that must have been seen before a minimum of a measure shows.
 pub(super) const SAMPLES: usize = 3;
 /// How near z must come to its start for the motion to have closed.
@@ -122,7 +122,7 @@ impl Walker<'_> {
         };
         let per_turn = if self.engine.turns { 360 } else { usize::MAX };
         let most = if self.engine.turns {
-            360 * MOST_TURNS
+            360 * MAX_TURNS
         } else {
             (PUSH_REACH / PUSH_STEP) as usize
         };
@@ -332,7 +332,7 @@ impl Walker<'_> {
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
         let (mut good, mut bad, mut step) = (from, to, to - from);
         let mut saved = self.state.clone();
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if good == to {
                 return Ok(());
             }
@@ -404,7 +404,7 @@ impl Walker<'_> {
         if !self.has_path() && self.reach(good, bad).is_ok() {
             return bad;
         }
-        for _ in 0..MOST_HALVINGS {
+        for _ in 0..MAX_HALVINGS {
             let middle = good + 0.5 * (bad - good);
             if middle == good || middle == bad {
                 break;

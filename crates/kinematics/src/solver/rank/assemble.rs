@@ -12,17 +12,17 @@ use crate::{LinkId, PointId, Vec2, angle};
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// Maximum number of steps.
-const MOST_STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 /// The initial and the minimum damping, relative to the squares of rows of unit length. The minimum
 /// is below the square root of the rounding error: it affects no regular direction, but still damps
 /// a free one.
 const DAMPING: f64 = 1e-3;
-const LEAST_DAMPING: f64 = 1e-13;
+const MIN_DAMPING: f64 = 1e-13;
 /// Number of steps in which the squared residual must fall to half; if not, the iteration converges
 /// to a nonzero residual.
 const PATIENCE: usize = 20;
 /// Maximum damping; beyond it, nothing moves any more.
-const MOST_DAMPING: f64 = 1e9;
+const MAX_DAMPING: f64 = 1e9;
 /// Steps shorter than this, in units of about the longest link, are rounding errors.
 const STILL: f64 = 4.0 * f64::EPSILON;
 /// Maximum residual of an assembled pose, relative to its size: the rounding of its coordinates.
@@ -49,7 +49,7 @@ pub(super) fn assemble(
     let mut damping = DAMPING;
     let mut system = Normal::of(rows, at, &pose);
     let mut before = f64::INFINITY;
-    for k in 0..MOST_STEPS {
+    for k in 0..MAX_STEPS {
         if k % PATIENCE == 0 {
             if system.cost > 0.5 * before {
                 break;
@@ -112,7 +112,7 @@ impl Normal {
         pose: &RankPose,
         damping: &mut f64,
     ) -> Option<(RankPose, f64)> {
-        while *damping < MOST_DAMPING {
+        while *damping < MAX_DAMPING {
             let mut damped = self.matrix.clone();
             for i in 0..rows.width {
                 damped[(i, i)] += *damping;
@@ -124,7 +124,7 @@ impl Normal {
                 let misses = rows.linear(at, &next).into_iter().map(|(miss, _)| miss);
                 let cost: f64 = misses.map(|miss| 0.5 * miss * miss).sum();
                 if cost < self.cost {
-                    *damping = (0.1 * *damping).max(LEAST_DAMPING);
+                    *damping = (0.1 * *damping).max(MIN_DAMPING);
                     return Some((next, step.norm()));
                 }
             }

@@ -17,9 +17,9 @@ const STEADY: f64 = 0.05;
 /// load of one at the bottom, and with it set aside all groups are dyads.
 const LESS_STEADY: f64 = 0.005;
 /// Maximum number of successive exchanges.
-const MOST_ROUNDS: usize = 6;
+const MAX_ROUNDS: usize = 6;
 /// Maximum work per round: the number of exchanges tried times the number of constraints.
-const MOST_WORK: usize = 600_000;
+const MAX_WORK: usize = 600_000;
 
 /// Exchanges set-aside constraints as long as the remaining groups become smaller. If the smaller
 /// limit leaves less work, its result comes first; the result of the larger limit always comes
@@ -44,7 +44,7 @@ fn exchanged_by(
 ) -> (KeptRows, Option<usize>) {
     let mut choice = choice.clone();
     let mut least = work(rows, &choice.set_aside);
-    for _ in 0..MOST_ROUNDS {
+    for _ in 0..MAX_ROUNDS {
         let Some((found, exchange)) = best(rows, &choice, steady) else {
             break;
         };
@@ -68,7 +68,7 @@ fn best(rows: &Rows<'_>, choice: &KeptRows, steady: f64) -> Option<(usize, (usiz
         let ready = repeated.into_iter().filter(|&row| readiness(row) > 0);
         exchanges.extend(ready.map(|row| (place, row)));
     }
-    let most = (MOST_WORK / rows.rows.len().max(1)).max(1);
+    let most = (MAX_WORK / rows.rows.len().max(1)).max(1);
     let step = exchanges.len().div_ceil(most).max(1);
     let tried = exchanges.into_iter().step_by(step).filter_map(|exchange| {
         let (_, set_aside) = exchanged(choice, exchange);

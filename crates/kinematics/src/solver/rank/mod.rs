@@ -17,11 +17,11 @@ use verdict::{RankVerdict, Whole};
 
 /// Maximum number of unknowns for a dense decomposition: the cost grows with their cube, and this
 /// many take about a second. Larger mechanisms keep the result of the structural analysis.
-const MOST_UNKNOWNS: usize = 420;
+const MAX_UNKNOWNS: usize = 420;
 
 /// Maximum number of tried choices of set-aside constraints: by the rank, and one after another.
-const MOST_TRIED: usize = 6;
-const MOST_RIVALS: usize = 64;
+const MAX_TRIED: usize = 6;
+const MAX_RIVALS: usize = 64;
 
 /// An element with constraints that repeat others.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,7 +121,7 @@ pub(super) fn reopened(
             Ok(solver) => return Ok(solver),
             Err(again) => fault = better(fault, again),
         }
-        if tried.len() == MOST_TRIED {
+        if tried.len() == MAX_TRIED {
             break;
         }
         // The kept constraints may be singular where all together are not. Then the rank at that
@@ -147,7 +147,7 @@ fn by_trial(
     let could = structure.over.iter().rev();
     let rivals =
         could.filter(|&&row| network.readiness(row) > 0 && !structure.set_aside.contains(&row));
-    let mut rivals = rivals.take(MOST_RIVALS);
+    let mut rivals = rivals.take(MAX_RIVALS);
     rivals.find_map(|&row| open(&order::ordering(network, &[row]).ok()?).ok())
 }
 

@@ -2,7 +2,7 @@
 
 use super::rows::{RankPose, Rows};
 use super::spectrum::KeptRows;
-use super::{MOST_UNKNOWNS, Redundancy};
+use super::{MAX_UNKNOWNS, Redundancy};
 use crate::solver::network::{Network, ScalarEquation};
 use crate::solver::order;
 use crate::solver::state::{Condition, State};
@@ -102,7 +102,7 @@ fn sums(network: &Network<'_>, solver: &Solver) -> Vec<Vec<ScalarEquation>> {
     let unknowns = over.iter().flat_map(|&row| network.unknowns(row));
     let unknowns: Vec<_> = unknowns.collect();
     let rows = Rows::new(network, solver.engine.frame, over, unknowns);
-    if rows.width > MOST_UNKNOWNS {
+    if rows.width > MAX_UNKNOWNS {
         return Vec::new();
     }
     let place = |row: &ScalarEquation| rows.rows.iter().position(|r| r == row);

@@ -44,8 +44,8 @@ impl Spectrum {
                 noise: SHARE,
             });
         }
-        const MOST_SWEEPS: usize = 100_000;
-        let decomposed = nalgebra::SVD::try_new(matrix.clone(), false, false, U, MOST_SWEEPS)?;
+        const MAX_SWEEPS: usize = 100_000;
+        let decomposed = nalgebra::SVD::try_new(matrix.clone(), false, false, U, MAX_SWEEPS)?;
         let values = decomposed.singular_values;
         let largest = values.max();
         let rounding = ROUNDINGS * m.max(n) as f64 * U * largest;

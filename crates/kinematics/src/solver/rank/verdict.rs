@@ -1,7 +1,7 @@
 //! Determines the rank at assembled poses, for a whole mechanism and for the coupled groups of one
 //! that opened.
 
-use super::MOST_UNKNOWNS;
+use super::MAX_UNKNOWNS;
 use super::assemble::{Assembled, assemble, rough};
 use super::exchange;
 use super::redundancy::{pose_of, reached};
@@ -16,7 +16,7 @@ use crate::{ElementId, LinkId, PointId, Vec2};
 use nalgebra::DMatrix;
 
 /// Maximum number of initial poses, and the maximum work on them, in cubes of unknowns.
-const MOST_TRIALS: usize = 12;
+const MAX_TRIALS: usize = 12;
 const TRIAL_WORK: usize = 100_000_000;
 /// Offsets from the start to other positions of the driver, in radians or scaled lengths. They are
 /// large enough for a singular value to leave zero and small enough for the pose to be tracked.
@@ -24,12 +24,12 @@ const PLACES: [f64; 4] = [0.03, -0.03, 0.11, -0.11];
 /// Number of these positions to examine.
 const LOOKED_AT: usize = 2;
 /// Maximum number of unknowns of a coupled group for an examination whenever a mechanism opens.
-const MOST_IN_A_GROUP: usize = 150;
+const MAX_GROUP_SIZE: usize = 150;
 /// Maximum rotation of a row by rounding, in radians.
 const ROUNDED: f64 = 1e-8;
 /// Step from pose to pose towards a distant position, and the maximum number of steps: some turns.
 const STRIDE: f64 = 0.05;
-const MOST_STRIDES: f64 = 1000.0;
+const MAX_STRIDES: f64 = 1000.0;
 
 /// The result of the rank analysis of all constraints of an assembled mechanism.
 #[derive(Clone, Debug)]
@@ -85,7 +85,7 @@ impl<'n> Whole<'n> {
             return None;
         }
         let misfit = frame.length(network.mechanism.misfit());
-        let trials = (TRIAL_WORK / rows.width.pow(3)).clamp(1, MOST_TRIALS);
+        let trials = (TRIAL_WORK / rows.width.pow(3)).clamp(1, MAX_TRIALS);
         let mut rough = (0..trials).map(|trial| rough(&rows, at, near, trial));
         let start = rough.find_map(|pose| assemble(&rows, at, misfit, pose))?;
         Some(Whole {
@@ -130,7 +130,7 @@ impl<'n> Whole<'n> {
     /// `None` if the mechanism cannot be assembled there.
     pub(super) fn set_aside_at(&self, at: f64) -> Option<Vec<Vec<ScalarEquation>>> {
         let way = (at - self.at) / moved(&self.rows, 0.0, STRIDE);
-        if !(way.abs() < MOST_STRIDES) {
+        if !(way.abs() < MAX_STRIDES) {
             return None;
         }
         let strides = way.abs().ceil().max(1.0);
@@ -196,7 +196,7 @@ pub(super) fn is_too_large(network: &Network<'_>) -> bool {
             ScalarUnknown::Class(_) => 1,
         });
     // Links of one class are counted more than once; the error is acceptable here.
-    scalars.sum::<usize>() > MOST_UNKNOWNS
+    scalars.sum::<usize>() > MAX_UNKNOWNS
 }
 
 /// Returns every unknown of a mechanism.
@@ -294,7 +294,7 @@ pub(super) fn groups(network: &Network<'_>, solver: &Solver) -> Groups {
         let rows = block.rows.clone();
         let unknowns = block.unknowns.iter().copied();
         let rows = Rows::new(network, solver.engine.frame, rows, unknowns);
-        if rows.width > MOST_IN_A_GROUP {
+        if rows.width > MAX_GROUP_SIZE {
             continue;
         }
         let mut spectra = reached(solver).filter_map(|state| {

@@ -20,7 +20,7 @@ pub struct Extremum {
 }
 
 /// Minimum height of an extremum, as a fraction of the curve's range.
-pub(super) const LEAST_TURN: f64 = 2e-3;
+pub(super) const MIN_TURN: f64 = 2e-3;
 
 impl Probe {
     /// Finds the extrema of a curve. Their `at` is still the sampled place, and `along` is not yet
@@ -45,7 +45,7 @@ impl Probe {
                 .flatten()
                 .collect();
             let goes_round = goes_round && values.len() == places.len();
-            for turn in turns(&values, LEAST_TURN * size, goes_round) {
+            for turn in turns(&values, MIN_TURN * size, goes_round) {
                 let sample = piece.start + turn.sample;
                 let is_limit = ends_are_limits && (sample == 0 || sample + 1 == places.len());
                 if turn.is_end && !is_limit {

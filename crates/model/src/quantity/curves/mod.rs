@@ -96,12 +96,12 @@ pub struct Here {
 /// Number of samples for scenes of usual size, and for scenes with so many points and links that
 /// more samples would cause a noticeable delay.
 const SAMPLES: usize = 720;
-const FEWEST_SAMPLES: usize = 180;
+const MIN_SAMPLES: usize = 180;
 /// Tolerance for the end of a period, as a fraction of it: closer positions count as the beginning
 /// of the next period.
 const SEAM: f64 = 1e-9;
 /// Maximum number of points and links in all samples together.
-const MOST_ROWS: usize = 400_000;
+const MAX_ROWS: usize = 400_000;
 
 impl Curves {
     /// Samples the quantities over the whole motion, or over a window of the driver's coordinate.
@@ -134,7 +134,7 @@ impl Curves {
         let mut probe = Probe::new(solver, &columns, range, clock.clone());
         let mechanism = &scene.mechanism;
         let rows = mechanism.points().len() + mechanism.links().len();
-        let count = (MOST_ROWS / rows.max(1)).clamp(FEWEST_SAMPLES, SAMPLES);
+        let count = (MAX_ROWS / rows.max(1)).clamp(MIN_SAMPLES, SAMPLES);
         let share = |k: usize| k as f64 / count as f64;
         let places: Vec<f64> = (0..=count)
             .map(|k| {

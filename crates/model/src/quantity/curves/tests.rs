@@ -1,4 +1,4 @@
-use super::extrema::LEAST_TURN;
+use super::extrema::MIN_TURN;
 use super::span::ends;
 use super::*;
 use crate::angle::TURN;
@@ -147,7 +147,7 @@ fn denser_samples_find_no_further_extrema() {
                 continue;
             }
             let size = curve.range().map_or(0.0, |(low, high)| high - low);
-            let denser = turning(&dense, LEAST_TURN * size, curves.period.is_some());
+            let denser = turning(&dense, MIN_TURN * size, curves.period.is_some());
             let denser: Vec<_> = denser.into_iter().filter(|turn| !turn.is_end).collect();
             let of = |e: &&Extremum| first < e.along && e.along < last;
             let found: Vec<&Extremum> = curve.extrema.iter().filter(of).collect();

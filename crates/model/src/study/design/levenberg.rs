@@ -19,7 +19,7 @@ const DIFFERENCE: f64 = 1e-5;
 const DAMPING: f64 = 1e-3;
 const GROWTH: f64 = 8.0;
 const SHRINKING: f64 = 0.2;
-const MOST_DAMPING: f64 = 1e12;
+const MAX_DAMPING: f64 = 1e12;
 /// The relative size below which a singular value counts as zero; differences are more accurate
 /// than that.
 const RANK: f64 = 1e-6;
@@ -80,7 +80,7 @@ impl GoalSearch {
         let square = slopes.tr_mul(slopes);
         let pull = slopes.tr_mul(&place.misses);
         let size = square.diagonal().max().max(f64::MIN_POSITIVE);
-        while *damping < MOST_DAMPING {
+        while *damping < MAX_DAMPING {
             let damped =
                 &square + DMatrix::identity(square.nrows(), square.ncols()) * (*damping * size);
             let way = damped.cholesky()?.solve(&pull);

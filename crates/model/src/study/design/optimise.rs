@@ -15,7 +15,7 @@ use crate::parallel;
 
 /// Designs per generation for each variable value, and their minimum.
 const FOR_EACH: usize = 12;
-const FEWEST: usize = 24;
+const MIN_COUNT: usize = 24;
 /// The weight of the difference of two designs in a trial design, and the crossover probability of
 /// each number.
 const WEIGHT: f64 = 0.7;
@@ -64,7 +64,7 @@ pub struct OptimiseState {
 }
 
 /// Maximum number of generations without an improvement.
-const LONGEST_REST: u32 = 60;
+const MAX_REST: u32 = 60;
 
 fn best_of(worths: &[Worth]) -> Worth {
     let better = |one, other| if other < one { other } else { one };
@@ -85,7 +85,7 @@ impl BestDesign {
     ) -> Option<BestDesign> {
         let mut judge = Judge::new(figures, constraints, axes, order.greatest);
         let given = figures.space().given();
-        let count = (FOR_EACH * axes.len()).max(FEWEST);
+        let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
         let begun: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
         let mut is_stopped = false;
@@ -128,7 +128,7 @@ impl BestDesign {
             let now = best_of(&worth);
             stays = if now == last { stays + 1 } else { 0 };
             last = now;
-            if stays >= LONGEST_REST {
+            if stays >= MAX_REST {
                 break;
             }
         }

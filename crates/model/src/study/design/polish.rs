@@ -15,7 +15,7 @@ const HALVINGS: i32 = 30;
 /// Distances from a kink at which slopes are sampled, relative to the ranges.
 const BESIDE: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
 /// Maximum length of a step, relative to the ranges.
-const LONGEST: f64 = 0.25;
+const MAX_LEN: f64 = 0.25;
 /// Minimum fraction of the curvature that an update keeps, so that the matrix stays positive
 /// definite (Powell, 1978).
 const KEPT: f64 = 0.2;
@@ -101,7 +101,7 @@ fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() ->
             let KinkLook::Down(way) = look else {
                 break;
             };
-            let length = LONGEST / way.amax().max(f64::MIN_POSITIVE);
+            let length = MAX_LEN / way.amax().max(f64::MIN_POSITIVE);
             match bettered(judge, &here, &(way * length), &[]) {
                 Some(better) => here = better,
                 None => break,
@@ -123,7 +123,7 @@ fn step(
     curvature: &DMatrix<f64>,
 ) -> Option<(JudgedDesign, DesignSlopes)> {
     let way = way(hold, &slopes.value, curvature)?;
-    let length = (LONGEST / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
+    let length = (MAX_LEN / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
     let there = bettered(judge, here, &(way * length), &hold.rows)?;
     let slopes = judge.slopes(&there, DIFFERENCE, true)?;
     Some((there, slopes))

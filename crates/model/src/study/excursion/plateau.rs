@@ -10,7 +10,7 @@ use crate::solver::Range;
 const SAME: f64 = 8.0 * f64::EPSILON;
 const SAME_FORCE: f64 = 1e-12;
 /// The minimum length of a plateau, relative to the sampling step; shorter ones are smooth extrema.
-const SHORTEST: f64 = 0.1;
+const MIN_LEN: f64 = 0.1;
 /// Bisections to find the end of a plateau.
 const HALVINGS: u32 = 48;
 
@@ -27,7 +27,7 @@ impl Turnings {
             false => SAME_FORCE,
         };
         let level = same * self.greatest.value.abs().max(self.least.value.abs());
-        let shortest = SHORTEST * sampled.step();
+        let shortest = MIN_LEN * sampled.step();
         let first = sampled.at[0];
         for turning in &mut self.places {
             let place = turning.place;

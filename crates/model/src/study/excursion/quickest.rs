@@ -19,7 +19,7 @@ const NEAR: f64 = 1e-4;
 const LEVEL: f64 = 1e-9;
 
 /// Bisections of the sampling step, down to which a peak next to a near miss is searched.
-const NARROWEST: i32 = 34;
+const MIN_WIDTH: i32 = 34;
 
 /// A rate as a linear combination of the first and the second slope.
 #[derive(Clone, Copy)]
@@ -181,7 +181,7 @@ impl MotionSampler {
         let mut f = |at: f64| self.size_below(column, rate, at);
         let mut best = (at, -f(at).unwrap_or(0.0));
         for side in [-1.0, 1.0] {
-            for k in 0..NARROWEST {
+            for k in 0..MIN_WIDTH {
                 let off = |k: i32| at + side * step * f64::from(-k).exp2();
                 let Some(here) = f(off(k)).filter(|here| -here > best.1) else {
                     continue;

@@ -10,7 +10,7 @@ use crate::{Driver, Input, LANES, Lanes, Mechanism};
 /// Number of samples per turn, or over a limited range.
 const PLACES: usize = 360;
 /// Maximum number of samples of a motion that repeats after many turns.
-const MOST_PLACES: usize = 36_000;
+const MAX_PLACES: usize = 36_000;
 /// The distance from a limit at which rates are sampled, relative to the range. A limit may be a
 /// dead point, which has no rates.
 const INSIDE: f64 = 1e-9;
@@ -455,7 +455,7 @@ fn places(range: Range, marks: &[f64]) -> Vec<f64> {
                 clippy::cast_sign_loss,
                 reason = "a number of turns, and not too many"
             )]
-            let count = (PLACES * (period / TURN).round() as usize).clamp(PLACES, MOST_PLACES);
+            let count = (PLACES * (period / TURN).round() as usize).clamp(PLACES, MAX_PLACES);
             let place = |k: usize| period * ((k as f64 + 0.5) / count as f64);
             let first = place(0);
             let marks = marks.iter().map(|at| match at.rem_euclid(period) {

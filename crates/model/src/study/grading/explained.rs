@@ -1,10 +1,10 @@
 //! Explains an answer as a consequence of earlier answers as they were written.
 
-use super::verdict::{FEWEST, FigureVerdict, MOST, RoundedEarly, Truth};
+use super::verdict::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
 use super::{AnswerKey, AskedFigure, ChainSlot, FacedSlot, SolutionChain, WrittenFigure};
 
 /// Maximum number of sets of earlier answers to try; each requires solving the loop equations.
-const MOST_SETS: usize = 40;
+const MAX_SETS: usize = 40;
 /// Maximum number of wrong answers for which unwritten digits are considered.
 const FEW_WRONG: usize = 2;
 
@@ -35,11 +35,11 @@ impl AnswerKey {
         earlier.sort_by_key(|face| place(face.slot));
         // Most students continue with the values they write, but some keep more digits of the last
         // ones.
-        let counts = (1..=earlier.len()).rev().take(MOST_SETS / 2);
+        let counts = (1..=earlier.len()).rev().take(MAX_SETS / 2);
         // Single answers: the wrong ones and the last ones first.
         let mut single: Vec<&FacedSlot> = earlier.iter().rev().copied().collect();
         single.sort_by_key(|face| face.is_sound);
-        single.truncate(MOST_SETS / 2);
+        single.truncate(MAX_SETS / 2);
         if single.len() == earlier.len() {
             single.clone_from(&earlier);
         }
@@ -75,7 +75,7 @@ impl AnswerKey {
         };
         let followed = by(&|face| Some(face.value))?;
         let apart = truth.with(followed).apart(written.value).abs();
-        let unit = written.unit_of(FEWEST, MOST);
+        let unit = written.unit_of(MIN_COUNT, MAX_COUNT);
         // A value closer to the exact one is not explained.
         if !(apart <= 0.5 * truth.apart(written.value).abs()) {
             return None;

@@ -1,6 +1,6 @@
 //! Finds a given value that a student misread, so that the wrong answers follow from it.
 
-use super::verdict::{FEWEST, FigureVerdict, MOST, Truth};
+use super::verdict::{FigureVerdict, MAX_COUNT, MIN_COUNT, Truth};
 use super::{AnswerKey, GivenAnswer, WrittenFigure};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
@@ -30,7 +30,7 @@ pub struct MisreadValue {
 
 /// Minimum number of other answers to explain, or all wrong ones if there are fewer; an explanation
 /// of fewer may be a coincidence.
-const FEWEST_EXPLAINED: usize = 2;
+const MIN_EXPLAINED: usize = 2;
 /// Maximum number of secant steps.
 const STEPS: usize = 30;
 /// Maximum number of halvings of a step.
@@ -71,7 +71,7 @@ impl AnswerKey {
         });
         // Choose the value that explains most of the others, and the first one of equals.
         let most = lost.len() - 1;
-        let fewest = FEWEST_EXPLAINED.min(most);
+        let fewest = MIN_EXPLAINED.min(most);
         let mut best: Option<(MisreadValue, Vec<usize>)> = None;
         let pairs = firsts.flat_map(|&first| sheet.given().into_iter().map(move |v| (first, v)));
         for ((first, written), value) in pairs {
@@ -155,7 +155,7 @@ impl AnswerKey {
         };
         // The change of the value by the digits that the first answer lacks, because they may have
         // been cut off.
-        let last = written.unit_of(FEWEST, i32::MAX);
+        let last = written.unit_of(MIN_COUNT, i32::MAX);
         let parts = last / moved(first).filter(|by| *by > 0.0)?;
         let is_explained = |there: &[Option<f64>], figure: usize, own: WrittenFigure| {
             let truth = Truth::of(&self.figures[figure]);
@@ -165,7 +165,7 @@ impl AnswerKey {
             let is_nearer = apart <= 0.5 * truth.apart(own.value).abs();
             // A number that is written everywhere is not a consequence of earlier answers.
             let is_copied = own.value == written.value;
-            Some(is_nearer && !is_copied && apart <= own.unit_of(FEWEST, MOST) + carried)
+            Some(is_nearer && !is_copied && apart <= own.unit_of(MIN_COUNT, MAX_COUNT) + carried)
         };
         let explained = |number: f64| {
             let there = figures(number)?;

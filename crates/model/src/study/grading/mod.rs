@@ -18,7 +18,7 @@ pub use written::WrittenFigure;
 
 use crate::quantity::{Quantity, known_unit, unit_factor};
 use points::{FacedVector, VectorSlot};
-use verdict::{FEWEST, Truth};
+use verdict::{MIN_COUNT, Truth};
 
 /// A required value.
 #[derive(Clone, Debug, PartialEq)]
@@ -191,7 +191,7 @@ impl AnswerKey {
         let (slot, more) = self.chain.as_ref()?.slot_of(&figure.quantity)?;
         let meant = meant(figure, written, verdict)?;
         let mut value = meant.value;
-        let mut half = 0.5 * meant.unit_of(FEWEST, i32::MAX);
+        let mut half = 0.5 * meant.unit_of(MIN_COUNT, i32::MAX);
         if figure.quantity.is_direction() {
             (value, half) = (value.to_radians() - more, half.to_radians());
         }
@@ -271,7 +271,7 @@ fn faced_vector(
         figure: number,
         slot,
         value: meant.value,
-        half: 0.5 * meant.unit_of(FEWEST, i32::MAX),
+        half: 0.5 * meant.unit_of(MIN_COUNT, i32::MAX),
         number: written.value,
         is_sound: is_sound(verdict),
     })

@@ -1,6 +1,6 @@
 //! Explains the motion of a point by the answers for other points of its link.
 
-use super::verdict::{FEWEST, FigureVerdict, MOST, RoundedEarly, Truth};
+use super::verdict::{FigureVerdict, MAX_COUNT, MIN_COUNT, RoundedEarly, Truth};
 use super::{AnswerKey, AskedFigure, WrittenFigure};
 use crate::quantity::{Aspect, Quantity, Subject};
 use crate::{PointId, Vec2};
@@ -149,7 +149,7 @@ impl AnswerKey {
         if !(apart <= 0.5 * truth.apart(written.value).abs()) {
             return None;
         }
-        let unit = written.unit_of(FEWEST, MOST);
+        let unit = written.unit_of(MIN_COUNT, MAX_COUNT);
         let carried = |number: usize| {
             let mut more = used.clone();
             more[number].1 = more[number].0.half;
@@ -188,7 +188,7 @@ impl AnswerKey {
     fn is_shared(&self, face: &FacedVector, figure: &AskedFigure, written: WrittenFigure) -> bool {
         let exact = self.figures.get(face.figure).map(|other| other.exact);
         let is_same = exact.is_some_and(|exact| Truth::of(figure).is_near(exact));
-        is_same && written.digits >= FEWEST
+        is_same && written.digits >= MIN_COUNT
     }
 
     /// Returns the vector of a point from its answers, and from exact values for missing parts;

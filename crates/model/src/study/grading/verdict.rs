@@ -65,8 +65,8 @@ impl FigureVerdict {
 }
 
 /// Minimum digits required of an answer, and maximum digits considered when it follows from others.
-pub(super) const FEWEST: i32 = 3;
-pub(super) const MOST: i32 = 6;
+pub(super) const MIN_COUNT: i32 = 3;
+pub(super) const MAX_COUNT: i32 = 6;
 /// The relative difference that counts as rounding; for directions in radians.
 const NEAR: f64 = 1e-3;
 /// The fraction of the largest value of its kind below which a value counts as 0.
@@ -75,7 +75,7 @@ const NOUGHT: f64 = 1e-9;
 /// directions in degrees; and the largest direction accepted, in degrees.
 const COARSEST: f64 = 0.05;
 const DEGREE: f64 = 1.0;
-const FARTHEST: f64 = 1e4;
+const MAX_DISTANCE: f64 = 1e4;
 /// Maximum relative effect of unwritten digits.
 const CARRIED: f64 = 5e-3;
 /// Relative allowance for converting a decimal to a double, and for comparisons.
@@ -135,7 +135,7 @@ impl Truth {
 
     /// Returns `true` for a direction of so many turns that its digits are lost.
     pub(super) fn is_out_of_reach(&self, written: WrittenFigure) -> bool {
-        self.is_direction && written.value.abs() > FARTHEST
+        self.is_direction && written.value.abs() > MAX_DISTANCE
     }
 
     /// Returns `true` if the answer is the exact value rounded to its own digits, at least three,
@@ -157,7 +157,7 @@ impl Truth {
     /// Returns one unit of the last significant digit. A small direction is not more accurate than
     /// a large one.
     fn last_of(&self, written: WrittenFigure) -> f64 {
-        let own = written.unit_of(FEWEST, i32::MAX);
+        let own = written.unit_of(MIN_COUNT, i32::MAX);
         // 0.5 deg has a digit, which is as accurate as the last one of 120.5 deg.
         if self.is_direction {
             let small = written.unit_of(0, i32::MAX).min(NEAR * self.size());
@@ -180,7 +180,7 @@ impl Truth {
             true => 0.5 * DEGREE,
             false => COARSEST * self.size(),
         };
-        let is_coarse = (1..FEWEST).contains(&written.digits) && own <= coarsest * (1.0 + FUZZ);
+        let is_coarse = (1..MIN_COUNT).contains(&written.digits) && own <= coarsest * (1.0 + FUZZ);
         if is_coarse && apart.abs() <= own {
             return Some(RoundedEarly::Coarse);
         }
@@ -192,7 +192,7 @@ impl Truth {
     /// Returns the probable mistake if no earlier answer explains the value.
     pub(super) fn mistaken(&self, written: WrittenFigure, unit: &str) -> Option<FigureVerdict> {
         let value = written.value;
-        let half = 0.5 * written.unit_of(FEWEST, i32::MAX) * (1.0 + FUZZ);
+        let half = 0.5 * written.unit_of(MIN_COUNT, i32::MAX) * (1.0 + FUZZ);
         let most = match self.is_direction {
             true => 0.5 * DEGREE,
             false => f64::INFINITY,

@@ -4,7 +4,7 @@
 use crate::scene::are_thousands;
 
 /// Maximum length of a number's text.
-const LONGEST: usize = 64;
+const MAX_LEN: usize = 64;
 
 /// A written number and its accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ impl WrittenFigure {
     #[must_use]
     pub fn read(text: &str) -> Option<(WrittenFigure, String)> {
         let text = text.trim();
-        if text.len() > LONGEST {
+        if text.len() > MAX_LEN {
             return None;
         }
         let text = text.replace('\u{2212}', "-");

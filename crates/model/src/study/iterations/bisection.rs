@@ -23,7 +23,7 @@ pub struct Bisection {
 }
 
 /// Maximum number of bisections; after that there is no double between the ends.
-const MOST_HALVINGS: usize = 64;
+const MAX_HALVINGS: usize = 64;
 
 impl Bisection {
     /// Bisects the interval from `a` to `b` until its length is at most `finest`.
@@ -42,7 +42,7 @@ impl Bisection {
             ends[0] > 0.0
         };
         let (mut low, mut high) = (a, b);
-        while differ && bisection.halvings.len() < MOST_HALVINGS {
+        while differ && bisection.halvings.len() < MAX_HALVINGS {
             let middle = 0.5 * (low + high);
             if !bisection.halvings.is_empty() && (middle == low || middle == high) {
                 break;

@@ -9,7 +9,7 @@ const ARRIVED: f64 = 1e-12;
 /// The maximum error of values that count as the right ones.
 const SAME: f64 = 1e-6;
 /// Maximum number of steps; four or five are usual.
-const MOST_STEPS: usize = 30;
+const MAX_STEPS: usize = 30;
 /// The ratio of the smallest to the largest singular value below which a matrix is singular: three
 /// digits are left.
 const SINGULAR: f64 = 1e-13;
@@ -90,7 +90,7 @@ impl LoopSystem {
                 iterations.push(here);
                 break outcome;
             }
-            if iterations.len() == MOST_STEPS {
+            if iterations.len() == MAX_STEPS {
                 iterations.push(here);
                 break NewtonOutcome::Unsettled;
             }

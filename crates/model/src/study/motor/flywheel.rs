@@ -27,7 +27,7 @@ pub const SMALL_FLUCTUATION: f64 = 0.2;
 
 /// The largest possible fluctuation: (max - min) / mean is 2 if the minimum is 0 and the driver
 /// stops.
-pub const LARGEST_FLUCTUATION: f64 = 2.0;
+pub const MAX_FLUCTUATION: f64 = 2.0;
 
 /// A requirement of a cycle and the motor's capacity.
 #[derive(Clone, Copy, Debug, PartialEq)]

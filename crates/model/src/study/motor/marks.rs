@@ -9,14 +9,14 @@ use crate::solver::{Range, Solver};
 use crate::{Input, Load, Mechanism, Profile};
 
 /// Maximum number of turns of a cycle.
-const MOST_TURNS: u64 = 64;
+const MAX_TURNS: u64 = 64;
 
 /// Returns the period, in turns, of a profile over the driver's coordinate; `None` if its knots do
 /// not span whole turns.
 fn turns_of(profile: &Profile) -> Option<u64> {
     let (first, last) = (profile.knots().first()?, profile.knots().last()?);
     let turns = (last[0] - first[0]) / TURN;
-    let is_whole = turns >= 1.0 && turns.fract() == 0.0 && turns <= MOST_TURNS as f64;
+    let is_whole = turns >= 1.0 && turns.fract() == 0.0 && turns <= MAX_TURNS as f64;
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -70,7 +70,7 @@ pub fn repeats(mechanism: &Mechanism, range: Range) -> Option<u32> {
     let mut all = motion;
     for turns in profiles(mechanism).filter_map(turns_of) {
         all = all / common(all, turns) * turns;
-        if all > MOST_TURNS {
+        if all > MAX_TURNS {
             return None;
         }
     }

@@ -37,7 +37,7 @@ pub use course::Course;
 pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
 pub use duty::{Duty, NoDuty, is_within};
 pub use flywheel::{
-    Geared, LARGEST_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
+    Geared, MAX_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
     flywheel_for,
 };
 pub use guide::Passing;

@@ -25,7 +25,7 @@ pub(super) struct Periodic {
 }
 
 const FIRST: usize = 32;
-const MOST: usize = 8192;
+const MAX_COUNT: usize = 8192;
 /// The difference below which two rules are equal in double precision.
 const AGREE: f64 = 1e-14;
 /// The offset of the first place, in steps: change points are at round angles.
@@ -47,7 +47,7 @@ pub(super) fn periodic(
     let mut places = FIRST;
     let mut means = sums.over(places);
     let mut last = f64::INFINITY;
-    while places < MOST {
+    while places < MAX_COUNT {
         // Half-way between the existing places.
         let step = length / places as f64;
         let first = BESIDE * length / FIRST as f64 + 0.5 * step;

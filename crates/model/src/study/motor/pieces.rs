@@ -41,20 +41,20 @@ const FINE: f64 = 1e-13;
 const FAIR: f64 = 1e-9;
 const SHORT: f64 = 1e-13;
 /// Minimum scale of a channel relative to all others.
-const LEAST: f64 = 1e-2;
+const MIN_VALUE: f64 = 1e-2;
 /// The size below which a channel is a rounding error, relative to its scale: 1e-11 of all others.
 const NOTHING: f64 = 1e-9;
 /// The factor on both tolerances between dead points. Values lose digits towards a dead point, the
 /// more the closer they are.
 const DEAD: f64 = 100.0;
 /// Maximum bisections towards a place without a solution.
-const MOST_SEARCHES: u32 = 12;
+const MAX_SEARCHES: u32 = 12;
 /// Maximum bisections of a piece, and of one whose last coefficients are rounding errors; waves 16
 /// times shorter would still be found.
-const MOST_HALVINGS: u32 = 30;
+const MAX_HALVINGS: u32 = 30;
 const FLAT_HALVINGS: u32 = 4;
 /// Maximum number of pieces: a bound on the work for functions that are not smooth.
-const MOST_PIECES: usize = 1000;
+const MAX_PIECES: usize = 1000;
 
 /// Solves at places of the cycle.
 pub(super) struct Sampler<'a> {
@@ -120,15 +120,15 @@ impl Pieces {
         waiting.reverse();
         while let Some((piece, from, to, halvings, flat)) = waiting.pop() {
             let middle = 0.5 * (from + to);
-            let spent = halvings >= MOST_HALVINGS
-                || pieces.list.len() + waiting.len() >= MOST_PIECES
+            let spent = halvings >= MAX_HALVINGS
+                || pieces.list.len() + waiting.len() >= MAX_PIECES
                 || !(from < middle && middle < to);
             let allowance = if sampler.course.ends_dead { DEAD } else { 1.0 };
             let is_good = |piece: SmoothPiece| pieces.is_good(&piece, length, flat, allowance);
             let good = piece.is_some_and(is_good);
             match piece {
                 Some(piece) if good || spent => pieces.keep(piece, length),
-                None if spent || halvings >= MOST_SEARCHES => {
+                None if spent || halvings >= MAX_SEARCHES => {
                     pieces.has_gap = true;
                     break;
                 }
@@ -167,7 +167,7 @@ impl Pieces {
             .enumerate()
             .map(|(i, scale)| scale / self.arm(i));
         let all = forces.fold(0.0, f64::max);
-        self.scale[channel].max(LEAST * all * self.arm(channel))
+        self.scale[channel].max(MIN_VALUE * all * self.arm(channel))
     }
 
     /// Returns `true` if a channel consists of the rounding errors of the others.

@@ -94,8 +94,8 @@ const PARTS_OF_TORQUE: [usize; 3] = [3, 4, 5];
 const CHANNELS: usize = 6;
 /// Initial number of pieces per step of the motion.
 const PARTS: u32 = 4;
-const MOST_HALVINGS: u32 = 26;
-const MOST_PIECES: usize = 4000;
+const MAX_HALVINGS: u32 = 26;
+const MAX_PIECES: usize = 4000;
 /// The size of the last coefficients, relative to the largest, below which a sum represents its
 /// function.
 const FINE: f64 = 1e-12;
@@ -210,7 +210,7 @@ impl MomentSource<'_> {
                 }
             }
             let middle = 0.5 * (from + to);
-            let is_spent = halvings >= MOST_HALVINGS || pieces.len() + waiting.len() > MOST_PIECES;
+            let is_spent = halvings >= MAX_HALVINGS || pieces.len() + waiting.len() > MAX_PIECES;
             if worst <= FINE || is_spent || !(from < middle && middle < to) {
                 error += worst * (to - from) / period;
                 pieces.push(piece);

@@ -1,7 +1,7 @@
 //! Computes tolerance bands along the motion, which plots draw next to curves.
 
 use super::ToleranceStudy;
-use super::corners::{MOST_LENGTHS, QUICK, THOROUGH};
+use super::corners::{MAX_LENGTHS, QUICK, THOROUGH};
 use super::machines::CornerEffort;
 
 /// The kind of limits of a band.
@@ -44,7 +44,7 @@ impl ToleranceStudy {
 
     pub(super) fn quick_kind(&self, places: usize) -> BandKind {
         let lengths = self.acting().len();
-        if lengths > MOST_LENGTHS || self.off.has_pins() {
+        if lengths > MAX_LENGTHS || self.off.has_pins() {
             return BandKind::RootSumSquare;
         }
         let machines = QUICK.machines(lengths, self.figures().len());

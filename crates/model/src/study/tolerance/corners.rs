@@ -11,7 +11,7 @@ use crate::solver::State;
 
 /// Maximum number of lengths with all corners solved, 65,536; with more, the worst case is
 /// enclosed.
-pub(super) const MOST_LENGTHS: usize = 16;
+pub(super) const MAX_LENGTHS: usize = 16;
 
 /// Up to 3^9 places of the grid, and searches from them.
 pub(super) const THOROUGH: CornerEffort = CornerEffort {
@@ -64,7 +64,7 @@ impl ToleranceStudy {
         effort: CornerEffort,
     ) -> Vec<Option<WorstCase>> {
         let acting = self.acting();
-        if acting.len() <= MOST_LENGTHS && !self.off.has_pins() {
+        if acting.len() <= MAX_LENGTHS && !self.off.has_pins() {
             return of_all_corners(&mut self.machines, &self.off, &acting, nominal, effort);
         }
         let limits = &self.off.limits;

@@ -13,7 +13,7 @@ use super::worst::{WorstCase, WorstKind};
 
 /// The measures of the surfaces, relative to the nominal measure, which is limited to 1/100.
 const LEVELS: [f64; 4] = [1e-2, 1e-4, 1e-6, 1e-8];
-const LARGEST_BASE: f64 = 1e-2;
+const MAX_BASE: f64 = 1e-2;
 /// The relative measure of the last surface, where values without a pole are as accurate as at the
 /// edge.
 const AT_EDGE: f64 = 1e-13;
@@ -25,7 +25,7 @@ const GROWN: f64 = 4.0;
 const FIRST_STEPS: usize = 24;
 const FURTHER_STEPS: usize = 8;
 /// The shortest step, after which the best machine is found, and the factor that shortens steps.
-const SHORTEST: f64 = 1e-3;
+const MIN_LEN: f64 = 1e-3;
 const SHORTER: f64 = 0.3;
 /// The relative change of a value below which there is no gain.
 const GAIN: f64 = 1e-10;
@@ -205,7 +205,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 None => self.off.furthest(&figure_slopes, &machine),
             };
             let mut gained = false;
-            while part > SHORTEST {
+            while part > MIN_LEN {
                 let trial = between(&machine, &aim, part);
                 let trial = match surface {
                     Some((edge, level)) => {
@@ -250,7 +250,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
             if !fails && measure > NONLINEAR * most {
                 continue;
             }
-            let base = measure.min(LARGEST_BASE);
+            let base = measure.min(MAX_BASE);
             let starts = [nothing.clone(), aim];
             let found = starts.into_iter().filter_map(|start| {
                 let machine = self.descend(group, base, start)?;
@@ -280,7 +280,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                 search.measure(machine, group).map(|measure| -measure)
             });
             let aim = self.off.furthest(&slopes, &machine);
-            while part > SHORTEST {
+            while part > MIN_LEN {
                 let trial = between(&machine, &aim, part);
                 match self.measure(&trial, group) {
                     Some(there) if there < measure => {
@@ -299,7 +299,7 @@ impl<'a, M: Machines> EdgeSearch<'a, M> {
                     }
                 }
             }
-            if part <= SHORTEST {
+            if part <= MIN_LEN {
                 break;
             }
         }

@@ -11,10 +11,10 @@ use super::tolerance_box::ToleranceBox;
 /// The factor that shortens the steps if none improves.
 const SHORTER: f64 = 0.25;
 /// The shortest step at a corner, relative to a tolerance.
-const SHORTEST_TRY: f64 = 1.0 / 64.0;
+const MIN_TRY: f64 = 1.0 / 64.0;
 /// The shortest step after an improvement, or if one is possible: at an edge of assembly values are
 /// proportional to the root of the distance.
-const SHORTEST: f64 = 1e-12;
+const MIN_LEN: f64 = 1e-12;
 
 /// The extreme value found in one direction.
 #[derive(Clone, Copy, Debug)]
@@ -83,8 +83,8 @@ impl<'b> Search<'b> {
         let mut left = self.most;
         let may_turn = self.may_turn;
         let shortest = |is_inside| match is_inside || may_turn {
-            true => SHORTEST,
-            false => SHORTEST_TRY,
+            true => MIN_LEN,
+            false => MIN_TRY,
         };
         while step > shortest(is_inside) && left > 0 {
             let mut leads = false;

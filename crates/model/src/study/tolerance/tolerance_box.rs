@@ -7,7 +7,7 @@ use crate::{CoordinateAxis, Length, Tolerances};
 
 /// Number of multipliers to try, and their maximum, relative to the slopes' total.
 const MULTIPLIERS: usize = 80;
-const LARGEST_MULTIPLIER: f64 = 1e6;
+const MAX_MULTIPLIER: f64 = 1e6;
 
 /// The box of all deviations.
 #[derive(Clone, Debug)]
@@ -105,7 +105,7 @@ impl ToleranceBox {
                 .sum::<f64>()
         };
         // The level increases with the multiplier.
-        let [mut low, mut high] = [-LARGEST_MULTIPLIER * scale, LARGEST_MULTIPLIER * scale];
+        let [mut low, mut high] = [-MAX_MULTIPLIER * scale, MAX_MULTIPLIER * scale];
         for _ in 0..MULTIPLIERS {
             let middle = f64::midpoint(low, high);
             *(match raised(&aim(middle)) < 0.0 {

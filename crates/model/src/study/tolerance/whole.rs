@@ -15,7 +15,7 @@ use crate::{Length, Mechanism, Tolerances};
 
 /// Maximum number of lengths with all corners opened: some thousand machines, each of which is
 /// followed.
-const MOST_LENGTHS: usize = 12;
+const MAX_LENGTHS: usize = 12;
 const EFFORT: CornerEffort = CornerEffort {
     middles: 7,
     tries: 20,
@@ -137,7 +137,7 @@ impl WholeTolerance {
             .filter(|&i| self.machines.varied.follows(i))
             .collect();
         let (machines, off) = (&mut self.machines, &self.off);
-        if acting.len() <= MOST_LENGTHS && !off.has_pins() {
+        if acting.len() <= MAX_LENGTHS && !off.has_pins() {
             return of_all_corners(machines, off, &acting, nominal, EFFORT);
         }
         let figures = slopes.iter().enumerate();

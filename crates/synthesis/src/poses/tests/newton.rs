@@ -6,14 +6,14 @@ use kinematics::{Double, Vec2};
 use nalgebra::{Matrix4, Vector4};
 
 /// Maximum number of Newton steps, each at most `longest` long.
-const MOST_STEPS: usize = 60;
+const MAX_STEPS: usize = 60;
 
 /// Returns a pivot and a pin in the body's frame near a start, such that the squared length of the
 /// link is the same at all poses. The residual is computed in double-double, so that the solution
 /// of the rounded poses is correct to all digits of a double.
 pub(super) fn solution(task: &PoseTask, start: [Vec2; 2], longest: f64) -> Option<[Vec2; 2]> {
     let [mut pivot, mut pin] = start.map(Vec2::exactly::<Double>);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let links = task.poses.iter().map(|pose| {
             let turn = Double::unit(pose.angle);
             (pose.at.exactly() + pin.turned(turn) - pivot, turn)
