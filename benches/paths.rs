@@ -4,7 +4,7 @@
 //! the path's size, and a row for each of some shapes drawn by hand.
 #![allow(clippy::print_stdout, reason = "the figures are to be read")]
 
-use krank::synthesis::{PathSearch, PathTask, Proposal, Wishes};
+use krank::synthesis::{PathSearch, PathTask, Preferences, Proposal};
 use krank::{Vec2, angle};
 use std::time::Instant;
 
@@ -144,7 +144,7 @@ fn searched(
         task: &task,
         four_bars: true,
         slider_cranks: false,
-        wishes: Wishes::default(),
+        wishes: Preferences::default(),
         seed: 1,
         threads: 2,
         starts: if is_timed { PathSearch::STARTS } else { 4 },

@@ -80,7 +80,7 @@ const LOCALE: [&str; 3] = ["LC_ALL", "LC_CTYPE", "LANG"];
 
 /// The environment's variables about the terminal, from which its capabilities are detected.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Judgement {
+pub(crate) struct TerminalProfile {
     term: String,
     /// The decisive variable and its value.
     locale: Option<(&'static str, String)>,
@@ -156,12 +156,12 @@ fn found<T>(value: T, why: impl Into<String>) -> Detected<T> {
     Detected { value, why }
 }
 
-impl Judgement {
+impl TerminalProfile {
     /// Reads the environment through `env`; an empty variable counts as unset.
     pub(crate) fn of(env: impl Fn(&str) -> Option<String>) -> Self {
         let given = |name: &str| env(name).filter(|value| !value.is_empty());
         let locale = |name| given(name).map(|value| (name, value));
-        Judgement {
+        TerminalProfile {
             term: given("TERM").unwrap_or_default(),
             locale: LOCALE.into_iter().find_map(locale),
             no_color: given("NO_COLOR"),
@@ -269,8 +269,8 @@ impl Judgement {
 mod tests {
     use super::*;
 
-    fn judge(environment: &[(&str, &str)]) -> Judgement {
-        Judgement::of(|name| {
+    fn judge(environment: &[(&str, &str)]) -> TerminalProfile {
+        TerminalProfile::of(|name| {
             let found = environment.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
         })

@@ -1,6 +1,6 @@
 //! Detects the picture protocol of a terminal from the environment.
 
-use super::{Detected, Judgement, TerminalKind, found};
+use super::{Detected, TerminalKind, TerminalProfile, found};
 use crate::wording::words;
 
 /// A terminal protocol for pictures.
@@ -66,7 +66,7 @@ const PROGRAMS: [(&str, PictureProtocol); 5] = [
     ("mintty", PictureProtocol::Sixel),
 ];
 
-impl Judgement {
+impl TerminalProfile {
     /// Returns the picture protocol: the selected one, or the one detected with certainty.
     pub(crate) fn pictures(&self, wish: PictureChoice) -> Detected<Option<PictureProtocol>> {
         match cfg!(feature = "pictures") {
@@ -112,7 +112,7 @@ mod tests {
     use super::*;
 
     fn judged(environment: &[(&str, &str)], wish: PictureChoice) -> Option<PictureProtocol> {
-        let judgement = Judgement::of(|name| {
+        let judgement = TerminalProfile::of(|name| {
             let found = environment.iter().find(|(n, _)| *n == name);
             found.map(|(_, value)| (*value).to_owned())
         });

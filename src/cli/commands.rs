@@ -66,7 +66,7 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     solver.enclose(&mut state, Order::Force, &mut enclosure);
     let mut tables = Tables::bounded(&scene, &state, &enclosure);
     tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
@@ -77,7 +77,7 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     };
     if args.figures.sensitivity {
         let asked = named.clone().unwrap_or_else(|| catalogue.figures());
-        few_enough(&scene, asked.len())?;
+        check_derivative_count(&scene, asked.len())?;
         let mut sensitivity = Sensitivity::new(&scene, &solver, &asked);
         let answers = Answers::at(&mut sensitivity, tables.unit, at);
         if answers.list.is_none() {
@@ -136,11 +136,16 @@ fn none_hidden<'q>(
 /// differ by full turns, or by rounding, from the only one in the driver's range.
 pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
     let typed = args.typed().unwrap_or(scene.mechanism.driver().start);
-    place_meant(typed, scene, solver, screen)
+    normalize_coordinate(typed, scene, solver, screen)
 }
 
 /// Returns the coordinate in the driver's range meant by a typed one, with a note if they differ.
-pub(super) fn place_meant(typed: f64, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
+pub(super) fn normalize_coordinate(
+    typed: f64,
+    scene: &Scene,
+    solver: &Solver,
+    screen: TextScreen,
+) -> f64 {
     let driver = scene.mechanism.driver();
     let range = solver.motion().range;
     let turns = matches!(driver.input, Input::Turn(_));
@@ -170,7 +175,7 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
 }
 
 /// Returns an error if the derivatives by lengths would need too much memory and time.
-pub(super) fn few_enough(scene: &Scene, figures: usize) -> Result<(), Failure> {
+pub(super) fn check_derivative_count(scene: &Scene, figures: usize) -> Result<(), Failure> {
     let lengths = scene.mechanism.lengths().len();
     if lengths.saturating_mul(figures) <= MAX_DERIVATIVES {
         return Ok(());
@@ -195,7 +200,7 @@ pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
 
 /// Warns about nearby change points, where the last digits of the lengths determine how the motion
 /// continues.
-pub(super) fn tell_of_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
+pub(super) fn note_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
     for miss in near_misses(scene, solver) {

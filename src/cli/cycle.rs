@@ -1,7 +1,7 @@
 //! `krank cycle`: reports values over the whole motion.
 
 use super::args::{CycleArgs, OutputFormat};
-use super::commands::tell_of_near_misses;
+use super::commands::note_near_misses;
 use super::failure::Failure;
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
@@ -18,7 +18,7 @@ pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure>
         true => usual_columns(&scene),
         false => named_columns(&scene, &args.columns)?,
     };
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     let report = CycleReport::new(&scene, &solver, &columns, args.dwell);
     let report = match args.bounds {
         true => report.with_bounds(&solver),

@@ -6,7 +6,7 @@ use super::failure::Failure;
 use super::output::write_text;
 use super::screen::judgement;
 use super::workbench::options;
-use crate::capability::{Colours, Detected, Judgement, PictureChoice};
+use crate::capability::{Colours, Detected, PictureChoice, TerminalProfile};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
 use crate::scene::sanitized;
@@ -92,7 +92,7 @@ fn about(found: &Terminal) -> Vec<DiagnosisRow> {
 }
 
 /// Returns the settings that the workbench would use, with the reasons.
-fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
+fn chosen(judgement: &TerminalProfile, options: &Options) -> Vec<DiagnosisRow> {
     let glyphs = wished(options.glyphs, judgement.glyphs(), glyphs_name);
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let colours = options.colours.or(plain);
@@ -113,7 +113,7 @@ fn chosen(judgement: &Judgement, options: &Options) -> Vec<DiagnosisRow> {
     ]
 }
 
-fn pictures(judgement: &Judgement, options: &Options) -> String {
+fn pictures(judgement: &TerminalProfile, options: &Options) -> String {
     let found = judgement.pictures(options.picture);
     let by = found.value.map_or(PictureChoice::Never, PictureChoice::By);
     format!("{}: {}", by.name(), found.why)

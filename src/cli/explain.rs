@@ -1,7 +1,7 @@
 //! `krank explain`: writes the solution of one state step by step.
 
 use super::args::{ExplainArgs, TextFormat};
-use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
+use super::commands::{note_near_misses, nothing_hidden, out_of_reach, place};
 use super::failure::Failure;
 use super::output::write_text;
 use super::screen::TextScreen;
@@ -47,6 +47,6 @@ pub(super) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Fail
     if condition == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     nothing_hidden(&scene, &state)
 }

@@ -1,7 +1,7 @@
 //! `krank export`: writes a script that solves the positions of a scene on its own.
 
 use super::args::ExportArgs;
-use super::commands::tell_of_near_misses;
+use super::commands::note_near_misses;
 use super::failure::Failure;
 use super::output::{file, write_text};
 use super::screen::TextScreen;
@@ -10,7 +10,7 @@ use crate::handover::script;
 
 pub(super) fn export(args: &ExportArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     let text = script(&scene, &solver, args.format.language(), &called(args));
     write_text(args.output.output.as_deref(), &text)
 }

@@ -6,7 +6,7 @@ use super::exercise::AskedState;
 use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
-use super::source::{SolvableScene, find, keep_apart, keep_file_apart, load};
+use super::source::{SolvableScene, check_output_differs, find, keep_file_apart, load};
 use crate::files::read_ready;
 use crate::page::TextStyle;
 use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
@@ -31,7 +31,7 @@ pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure>
         keep_file_apart(file, path)?;
     }
     if !args.sheet.is_dir() {
-        keep_apart(&find(&args.sheet)?, path)?;
+        check_output_differs(&find(&args.sheet)?, path)?;
         grader.sheet(&args.sheet)?;
     }
     let mut class = Vec::new();

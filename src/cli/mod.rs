@@ -65,7 +65,7 @@ use std::process::ExitCode;
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
     let arguments = language::settle(arguments.into_iter().collect());
     let screen = TextScreen::detect();
-    complete_what_was_cut_off(screen);
+    finish_interrupted_writes(screen);
     let done = match Cli::try_parse_from(&arguments) {
         Ok(cli) => obey(&cli, screen),
         Err(error) => match misuse::explained(error, &arguments) {
@@ -83,7 +83,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
 }
 
 /// Completes in-place writes that an earlier process did not finish because it was killed.
-fn complete_what_was_cut_off(screen: TextScreen) {
+fn finish_interrupted_writes(screen: TextScreen) {
     for file in output::records().iter().flat_map(|folder| mend(folder)) {
         failure::note(&words().file_was_mended(&file.display()), screen);
     }

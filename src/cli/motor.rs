@@ -1,7 +1,7 @@
 //! `krank motor`: computes the motor's duty over one cycle of a scene.
 
 use super::args::{MotorArgs, OutputFormat};
-use super::commands::tell_of_near_misses;
+use super::commands::note_near_misses;
 use super::failure::{Failure, note};
 use super::output::{write_text, write_to};
 use super::screen::TextScreen;
@@ -9,10 +9,10 @@ use super::source::SolvableScene;
 use super::sweep::clock;
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
-use crate::report::{CsvDialect, MotorReport, MotorWishes, TimedMotorReport, limits_text};
+use crate::report::{CsvDialect, MotorReport, MotorRequest, TimedMotorReport, limits_text};
 use crate::scene::{Motor, Scene};
 use crate::solver::{Range, Solver};
-use crate::study::motor::{Duty, MAX_FLUCTUATION, NoDuty, TimedDuty, is_within};
+use crate::study::motor::{Duty, DutyError, MAX_FLUCTUATION, TimedDuty, is_within};
 use crate::wording::words;
 use crate::{Body, SlideId};
 use std::fmt::Display;
@@ -23,7 +23,7 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     if scene.motion.is_some() {
         return timed(args, (&scene, &solver), dialect, screen);
     }
-    let wishes = MotorWishes {
+    let wishes = MotorRequest {
         motor: given(args, &scene)?,
         ram: args
             .ram
@@ -34,16 +34,16 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
         torque: args.torque,
         between: between(args, &scene, &solver)?,
     };
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     let report = MotorReport::new(&scene, &solver, wishes);
     tell_of_no_ram(args, &report, screen);
     let output = args.output.output.as_deref();
     match &report.duty {
-        Ok(_) | Err(NoDuty::Withheld(_)) => {}
-        Err(NoDuty::NothingActs) if args.format == OutputFormat::Csv || report.ram.is_err() => {
+        Ok(_) | Err(DutyError::Withheld(_)) => {}
+        Err(DutyError::NothingActs) if args.format == OutputFormat::Csv || report.ram.is_err() => {
             return Err(Failure::Cannot(words().nothing_acts_on_it().into()));
         }
-        Err(NoDuty::NothingActs) => note(words().nothing_acts_on_it(), screen),
+        Err(DutyError::NothingActs) => note(words().nothing_acts_on_it(), screen),
     }
     match args.format {
         OutputFormat::Text => write_text(output, &report.to_text(screen.ascii))?,
@@ -52,8 +52,8 @@ pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure>
     }
     match &report.duty {
         Ok(duty) => judge(duty),
-        Err(NoDuty::NothingActs) => Ok(()),
-        Err(NoDuty::Withheld(hidden)) => {
+        Err(DutyError::NothingActs) => Ok(()),
+        Err(DutyError::Withheld(hidden)) => {
             let catalogue = Catalogue::new(&scene);
             Err(Failure::Cannot(hidden.text(&catalogue.driver().unit)))
         }
@@ -72,7 +72,7 @@ fn timed(
     let clock = clock(scene)?;
     let duty = TimedDuty::new(&clock, solver)
         .map_err(|why| Failure::Cannot(TimedMotorReport::nothing(scene, &why)))?;
-    tell_of_near_misses(scene, solver, screen);
+    note_near_misses(scene, solver, screen);
     let is_believed = duty.has_converged();
     let report = TimedMotorReport::new(scene, duty, &motor);
     let output = args.output.output.as_deref();

@@ -1,7 +1,7 @@
 //! `krank plot`: plots values over the driver coordinate, time or another value.
 
 use super::args::{BandChoice, PictureFormat, PlotArgs, Size};
-use super::commands::tell_of_near_misses;
+use super::commands::note_near_misses;
 use super::failure::{Failure, note};
 use super::measured::measured;
 use super::output::write_text;
@@ -44,7 +44,7 @@ pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
         Failure::Cannot(words().of_option(&option, &e))
     })?;
     judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     let mut drawn = Plot::of(&curves);
     if let Some(file) = &args.measured {
         if curves.abscissa != Abscissa::Driver {

@@ -1,7 +1,7 @@
 //! `krank report`: writes the solution of one state as a document.
 
 use super::args::ReportArgs;
-use super::commands::{nothing_hidden, out_of_reach, place, tell_of_near_misses};
+use super::commands::{note_near_misses, nothing_hidden, out_of_reach, place};
 use super::failure::{Failure, note};
 use super::output::{file, write_text};
 use super::screen::TextScreen;
@@ -42,7 +42,7 @@ pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failur
     if condition == Condition::NoAssembly {
         return Err(out_of_reach(&scene, &solver, at));
     }
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     nothing_hidden(&scene, &state)
 }
 

@@ -1,6 +1,6 @@
 //! Determines the capabilities of the terminal behind standard error or standard output.
 
-use crate::capability::{Colours, Judgement, TerminalKind};
+use crate::capability::{Colours, TerminalKind, TerminalProfile};
 use crate::document::with_ascii_letters;
 use std::io::{IsTerminal, stderr, stdout};
 
@@ -34,7 +34,7 @@ impl TextScreen {
         TextScreen::judge(&judgement(), stdout().is_terminal())
     }
 
-    fn judge(judgement: &Judgement, terminal: bool) -> Self {
+    fn judge(judgement: &TerminalProfile, terminal: bool) -> Self {
         let kind = judgement.kind();
         TextScreen {
             // The Linux console decodes UTF-8, but its fonts lack most characters.
@@ -46,9 +46,9 @@ impl TextScreen {
 }
 
 /// Returns the terminal profile from the environment.
-pub(super) fn judgement() -> Judgement {
+pub(super) fn judgement() -> TerminalProfile {
     let text = |value: std::ffi::OsString| value.to_string_lossy().into_owned();
-    Judgement::of(|name| std::env::var_os(name).map(text))
+    TerminalProfile::of(|name| std::env::var_os(name).map(text))
 }
 
 /// Returns the columns and rows of the terminal behind standard output, if known.
@@ -70,7 +70,7 @@ mod tests {
 
     fn screen(variables: &[(&str, &str)], terminal: bool) -> TextScreen {
         let find = |name: &str| variables.iter().find(|(n, _)| *n == name);
-        let judgement = Judgement::of(|name| find(name).map(|(_, v)| (*v).to_owned()));
+        let judgement = TerminalProfile::of(|name| find(name).map(|(_, v)| (*v).to_owned()));
         TextScreen::judge(&judgement, terminal)
     }
 

@@ -3,7 +3,7 @@
 use super::args::{Cli, OutputArgs, SceneArgs};
 use super::failure::Failure;
 use super::output;
-use crate::assembly::Wish;
+use crate::assembly::AssemblyRequest;
 use crate::document::foreign;
 use crate::files::{is_same_file, limited, read_any};
 use crate::nearest::nearest;
@@ -39,23 +39,26 @@ impl SceneArgs {
 /// if the output would overwrite the scene.
 pub(super) fn open_for(
     name: &Path,
-    wishes: &[Wish],
+    wishes: &[AssemblyRequest],
     output: &OutputArgs,
 ) -> Result<SolvableScene, Failure> {
     let source = find(name)?;
-    keep_apart(&source, output.output.as_deref())?;
+    check_output_differs(&source, output.output.as_deref())?;
     load(&source, wishes)
 }
 
 /// Reads, checks and assembles the scene of a source.
-pub(super) fn load(source: &SceneSource, wishes: &[Wish]) -> Result<SolvableScene, Failure> {
+pub(super) fn load(
+    source: &SceneSource,
+    wishes: &[AssemblyRequest],
+) -> Result<SolvableScene, Failure> {
     let scene = read(source)?;
     check_figures(&scene).map_err(Failure::Scene)?;
     let solver = assembled(&scene, wishes)?;
     Ok(SolvableScene { scene, solver })
 }
 
-fn assembled(scene: &Scene, wishes: &[Wish]) -> Result<Solver, Failure> {
+fn assembled(scene: &Scene, wishes: &[AssemblyRequest]) -> Result<Solver, Failure> {
     let broken = |fault: &Fault| Failure::Scene(scene.explain(fault));
     if wishes.is_empty() {
         return Solver::new(&scene.mechanism).map_err(|fault| broken(&fault));
@@ -111,7 +114,10 @@ pub(super) fn contents(path: &Path) -> Result<Vec<u8>, Failure> {
 
 /// Returns an error if the output is the file that is read, under any name: the scene would be
 /// lost.
-pub(super) fn keep_apart(source: &SceneSource, output: Option<&Path>) -> Result<(), Failure> {
+pub(super) fn check_output_differs(
+    source: &SceneSource,
+    output: Option<&Path>,
+) -> Result<(), Failure> {
     let read = match source {
         SceneSource::Preset(_) => return Ok(()),
         SceneSource::Stdin => None,

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use super::study_rows;
-use crate::files::{GrowingFile, GrownFile, Output, Trouble};
+use crate::files::{AppendFile, Output, ResumableFile, WriteError};
 use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{DesignFormat, DesignSummary, DesignTable, MAX_ROWS};
@@ -173,12 +173,12 @@ fn grow<'a>(
     path: &Path,
     screen: TextScreen,
 ) -> Result<StudyRows<'a>, Failure> {
-    let failed = |why: Trouble| Failure::Output(Some(path.to_owned()), why.into());
+    let failed = |why: WriteError| Failure::Output(Some(path.to_owned()), why.into());
     let head = table.head().map_err(|e| failed(e.into()))?;
     let (mut file, done) = match args.resume {
         true => resumed(ready, table, designs.clone(), path, screen)?,
         false => (
-            GrowingFile::begin(path, &head, output::records()).map_err(failed)?,
+            AppendFile::begin(path, &head, output::records()).map_err(failed)?,
             0,
         ),
     };
@@ -207,12 +207,12 @@ fn resumed(
     designs: Range<u64>,
     path: &Path,
     screen: TextScreen,
-) -> Result<(GrowingFile, u64), Failure> {
-    let failed = |why: Trouble| Failure::Output(Some(path.to_owned()), why.into());
+) -> Result<(AppendFile, u64), Failure> {
+    let failed = |why: WriteError| Failure::Output(Some(path.to_owned()), why.into());
     let shown = path.display().to_string();
     let other = |line: u64| Failure::Usage(words().file_of_other_study(&shown, line));
     let head = table.head().map_err(|e| failed(e.into()))?;
-    let grown = GrownFile::open(path, &head).map_err(failed)?;
+    let grown = ResumableFile::open(path, &head).map_err(failed)?;
     let grown = grown.ok_or_else(|| other(1))?;
     let all = designs.end - designs.start;
     if grown.lines > all {

@@ -1,7 +1,7 @@
 //! `krank sweep`: writes values row by row over the motion.
 
 use super::args::{OutputFormat, SweepArgs};
-use super::commands::{few_enough, note_lacking, note_unproved, tell_of_near_misses};
+use super::commands::{check_derivative_count, note_lacking, note_near_misses, note_unproved};
 use super::failure::{Failure, note};
 use super::measured::beside;
 use super::output::{goes_to_terminal, write_to};
@@ -9,9 +9,10 @@ use super::progress::Progress;
 use super::screen::TextScreen;
 use super::source::SolvableScene;
 use crate::Input;
-use crate::quantity::{Catalogue, Clock, NoTime, Quantity, UnknownColumn};
+use crate::quantity::{Catalogue, Clock, Quantity, TimeError, UnknownColumn};
 use crate::report::{
-    Beside, Columns, Missing, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal, limits_text,
+    Columns, ExtraColumns, Missing, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal,
+    limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
@@ -41,12 +42,12 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     let mut catalogue = Catalogue::new(&scene);
     let figures = figures(&mut catalogue, &args.columns)?;
     let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
-    let besides = Beside {
+    let besides = ExtraColumns {
         bounds: args.figures.bounds,
         sensitivity: args.figures.sensitivity,
     };
     if besides.sensitivity {
-        few_enough(&scene, figures.len())?;
+        check_derivative_count(&scene, figures.len())?;
     }
     let columns = columns.with(besides, scene.unit.symbol());
     let range = solver.motion().range;
@@ -84,7 +85,7 @@ pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure>
     });
     progress.end();
     let outcome = outcome?;
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     let driver = catalogue.driver();
     judge(&outcome, &limits_text(range, driver), screen)?;
     match &outcome.first_hidden {
@@ -240,7 +241,7 @@ pub(super) fn steps(
 
 /// Returns the clock that maps time to the driver coordinate.
 pub(super) fn clock(scene: &Scene) -> Result<Clock, Failure> {
-    let stands = || Failure::Cannot(words().of_option("--time", &NoTime::StandsStill));
+    let stands = || Failure::Cannot(words().of_option("--time", &TimeError::StandsStill));
     Clock::of(scene).ok_or_else(stands)
 }
 

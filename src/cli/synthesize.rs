@@ -14,7 +14,7 @@ use crate::nearest::nearest;
 use crate::parallel;
 use crate::report::SynthesisReport;
 use crate::scene::{MAX_FILE_SIZE, presets};
-use crate::synthesis::{Synthesis, SynthesisOrder, scene_text};
+use crate::synthesis::{Synthesis, SynthesisSettings, scene_text};
 use crate::task_file::{ExampleTask, TaskFile};
 #[cfg(feature = "tui")]
 use crate::tui::TaskOrder;
@@ -44,7 +44,7 @@ pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<()
             folder: folder_of(&args.task),
         });
     }
-    let order = SynthesisOrder {
+    let order = SynthesisSettings {
         seed: args.seed,
         threads: parallel::cores(),
     };

@@ -1,7 +1,9 @@
 //! `krank tolerance`: computes the effect of tolerances and joint clearances on values.
 
 use super::args::{OutputFormat, ToleranceArgs};
-use super::commands::{few_enough, out_of_reach, place_meant, tell_of_near_misses};
+use super::commands::{
+    check_derivative_count, normalize_coordinate, note_near_misses, out_of_reach,
+};
 use super::failure::{Failure, note};
 use super::output::{goes_to_terminal, write_text, write_to};
 use super::progress::Progress;
@@ -15,7 +17,7 @@ use crate::report::{
 };
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
-use crate::study::{CycleFigure, NoTolerance, SampleOrder, ToleranceStudy, WholeTolerance};
+use crate::study::{CycleFigure, SampleOrder, ToleranceError, ToleranceStudy, WholeTolerance};
 use crate::wording::words;
 
 /// Default step, in degrees: 72 rows per turn.
@@ -42,7 +44,7 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
     }
     let mut figures = asked(&mut catalogue, &args.columns)?;
     let study = |figures: &[Quantity]| {
-        few_enough(&scene, figures.len())?;
+        check_derivative_count(&scene, figures.len())?;
         let study = ToleranceStudy::new(&scene, &solver, &tolerances, figures);
         study.map_err(refused)
     };
@@ -51,9 +53,9 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
         figures = study(&figures)?.moved(at);
     }
     let mut study = study(&figures)?;
-    tell_of_near_misses(&scene, &solver, screen);
+    note_near_misses(&scene, &solver, screen);
     if let Some(at) = args.at {
-        let at = place_meant(at.value(), &scene, &solver, screen);
+        let at = normalize_coordinate(at.value(), &scene, &solver, screen);
         return at_one_place(args, at, &scene, &solver, &mut study, screen.ascii);
     }
     let range = solver.motion().range;
@@ -125,10 +127,10 @@ fn of_whole(
 }
 
 /// Converts an error of the tolerance study, with advice.
-fn refused(why: NoTolerance) -> Failure {
+fn refused(why: ToleranceError) -> Failure {
     Failure::Cannot(match why {
-        NoTolerance::Exact => format!("{why}; {}", words().or_say_tolerance()),
-        NoTolerance::Redundant | NoTolerance::Forces => why.to_string(),
+        ToleranceError::Exact => format!("{why}; {}", words().or_say_tolerance()),
+        ToleranceError::Redundant | ToleranceError::Forces => why.to_string(),
     })
 }
 

@@ -1,6 +1,6 @@
 //! Samples the driver's whole motion for traces and arrow scales.
 
-use crate::quantity::{Clock, DriverStand};
+use crate::quantity::{Clock, DriverState};
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
 use std::f64::consts::PI;
@@ -10,7 +10,7 @@ use std::f64::consts::PI;
 const SAMPLES: u32 = 720;
 
 /// Returns the driver's coordinates along the motion, both ends included.
-pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverStand> + use<> {
+pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverState> + use<> {
     let (low, high, count, closed) = ends(scene, solver);
     (0..=count).map(move |k| {
         let share = f64::from(k) / f64::from(count);
@@ -20,13 +20,13 @@ pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = Dri
         } else {
             (1.0 - (PI * share).cos()) / 2.0
         };
-        DriverStand::at((low + (high - low) * share).min(high))
+        DriverState::at((low + (high - low) * share).min(high))
     })
 }
 
 /// Returns the driver's coordinates along the motion. If `is_timed` and the scene has a motion over
 /// time, they are its moments, with their rates.
-pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Vec<DriverStand> {
+pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Vec<DriverState> {
     let clock = Clock::of(scene).filter(|_| is_timed && scene.motion.is_some());
     let Some(clock) = clock else {
         return course(scene, solver).collect();
@@ -36,7 +36,7 @@ pub(super) fn paced_course(scene: &Scene, solver: &Solver, is_timed: bool) -> Ve
     let moments = (0..=SAMPLES).map(|k| {
         let share = f64::from(k) / f64::from(SAMPLES);
         let moment = clock.moment(begin + (end - begin) * share, range);
-        DriverStand {
+        DriverState {
             at: moment.at,
             pace: Some(moment),
         }

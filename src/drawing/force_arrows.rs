@@ -11,7 +11,7 @@ use super::overlay::has_rates;
 use super::reach::Reach;
 use super::scale::{self, ArrowScale, MovingArrow};
 use super::view::WorldView;
-use crate::quantity::DriverStand;
+use crate::quantity::DriverState;
 use crate::scene::Scene;
 use crate::solver::{Order, Solver, State};
 use crate::{Body, Input, Mechanism, Vec2};
@@ -45,7 +45,7 @@ impl ForceArrows {
     /// Computes one scale for the whole motion; appends the extents of the arrows' tips to `tips`.
     pub(super) fn of(
         (scene, solver): (&Scene, &Solver),
-        course: Vec<DriverStand>,
+        course: Vec<DriverState>,
         reach: &Reach,
         tips: &mut Vec<(f64, Bounds)>,
     ) -> ForceArrows {

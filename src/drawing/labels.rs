@@ -95,7 +95,7 @@ const BESIDE_LINE: i32 = 3;
 const TOO_MUCH: i32 = 16;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
-const TOO_MUCH_IN_A_CROWD: i32 = 3;
+const MAX_COST_CROWDED: i32 = 3;
 /// Minimum gain in cost for which a label moves.
 const INERTIA: i32 = 6;
 
@@ -109,7 +109,7 @@ impl Labels {
         let is_line = |cell: &&CharCell| cell.role.is_body();
         let lines = raster.lines().flatten().filter(is_line).count();
         let limit = if length > lines {
-            TOO_MUCH_IN_A_CROWD
+            MAX_COST_CROWDED
         } else {
             TOO_MUCH
         };

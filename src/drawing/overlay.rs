@@ -248,7 +248,7 @@ mod tests {
     use crate::drawing::{
         Glyphs, Layers, linkage, moving_points, render, usual_arrows, usual_traces,
     };
-    use crate::quantity::DriverStand;
+    use crate::quantity::DriverState;
     use crate::solver::Range;
 
     /// Requests all parts of an overlay.
@@ -436,7 +436,7 @@ mod tests {
             let reach = overlay.reach(&stage.reach).expect("something moves");
             let whole = WorldView::fit(&reach, 80, 24, 2.0);
             let mut state = stage.solver.state();
-            for DriverStand { at, .. } in course(&stage.scene, &stage.solver).step_by(31) {
+            for DriverState { at, .. } in course(&stage.scene, &stage.solver).step_by(31) {
                 let _ = stage.solver.solve(at, Order::Acceleration, &mut state);
                 let along = WorldView::along(&reach, at, 80, 24, 2.0);
                 let pose = WorldView::pose(&reach, at, 80, 24, 2.0);

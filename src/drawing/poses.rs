@@ -38,7 +38,7 @@ pub(super) struct Poses {
 
 /// The extents that a window must contain.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct PoseRoom {
+pub(super) struct PoseExtents {
     pub(super) linkage: Bounds,
     /// The extents of arrow tips; empty without arrows.
     pub(super) tips: Bounds,
@@ -177,7 +177,7 @@ impl Poses {
     }
 
     /// Returns the extents for a window at a coordinate; `None` if no pose of the motion is known.
-    pub(super) fn room(&self, at: f64) -> Option<PoseRoom> {
+    pub(super) fn room(&self, at: f64) -> Option<PoseExtents> {
         let last = self.calm.len().checked_sub(1)?;
         let place = self.place(at)?;
         #[expect(
@@ -191,7 +191,7 @@ impl Poses {
             let [from, to] = [from, to].map(Option::unwrap_or_default);
             from.towards(to, place - before as f64)
         };
-        Some(PoseRoom {
+        Some(PoseExtents {
             linkage: between(&self.calm),
             tips: between(&self.tips),
         })
@@ -199,11 +199,15 @@ impl Poses {
 
     /// Returns a sample of poses spread over the motion: the extents of each alone, and those for a
     /// window.
-    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseRoom)> {
-        let rooms = self.calm.iter().enumerate().map(|(place, calm)| PoseRoom {
-            linkage: *calm,
-            tips: self.tips.get(place).copied().unwrap_or_default(),
-        });
+    pub(super) fn some(&self) -> impl Iterator<Item = (Bounds, PoseExtents)> {
+        let rooms = self
+            .calm
+            .iter()
+            .enumerate()
+            .map(|(place, calm)| PoseExtents {
+                linkage: *calm,
+                tips: self.tips.get(place).copied().unwrap_or_default(),
+            });
         self.alone.iter().copied().zip(rooms).step_by(SOME)
     }
 }

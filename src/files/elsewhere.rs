@@ -1,7 +1,7 @@
 //! Writes files on systems other than Unix: to a temporary file next to the target, which is then
 //! renamed. The workbench and its further file operations do not exist there.
 
-use super::Trouble;
+use super::WriteError;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io::{self, Write};
@@ -21,9 +21,9 @@ impl Output {
     ///
     /// # Errors
     /// Returns an I/O error, or an error if the file is read-only.
-    pub(crate) fn to(name: &Path, _records: Option<&Path>) -> Result<Output, Trouble> {
+    pub(crate) fn to(name: &Path, _records: Option<&Path>) -> Result<Output, WriteError> {
         if fs::metadata(name).is_ok_and(|found| found.permissions().readonly()) {
-            return Err(Trouble::ReadOnly);
+            return Err(WriteError::ReadOnly);
         }
         let mut beside = OsString::from(name);
         beside.push(format!(".krank-{}", std::process::id()));
@@ -50,7 +50,7 @@ impl Output {
     ///
     /// # Errors
     /// Returns an I/O error; the file is then unchanged.
-    pub(crate) fn commit(mut self, _records: Option<&Path>) -> Result<File, Trouble> {
+    pub(crate) fn commit(mut self, _records: Option<&Path>) -> Result<File, WriteError> {
         if let Some(draft) = &self.draft {
             draft.sync_all()?;
             fs::rename(&self.beside, &self.target)?;

@@ -5,7 +5,7 @@
 //! leads to it and that its length is unchanged, so that rows are never lost silently.
 
 use super::lock::{self, LockOutcome, is_at};
-use super::{Output, Trouble};
+use super::{Output, WriteError};
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, Write};
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ const FIRST_LINES: u64 = 3;
 
 /// A file to which rows are appended.
 #[derive(Debug)]
-pub(crate) struct GrowingFile {
+pub(crate) struct AppendFile {
     name: PathBuf,
     rows: RowTarget,
 }
@@ -37,7 +37,7 @@ enum RowTarget {
 
 /// An existing output file that can be resumed.
 #[derive(Debug)]
-pub(crate) struct GrownFile {
+pub(crate) struct ResumableFile {
     name: PathBuf,
     file: File,
     /// The end of its last complete line, in bytes.
@@ -48,7 +48,7 @@ pub(crate) struct GrownFile {
     pub(crate) samples: Vec<(u64, String)>,
 }
 
-impl GrowingFile {
+impl AppendFile {
     /// Creates a file that begins with `head`. An older file is replaced when the first rows are
     /// written.
     ///
@@ -58,10 +58,10 @@ impl GrowingFile {
         name: &Path,
         head: &str,
         records: Option<PathBuf>,
-    ) -> Result<GrowingFile, Trouble> {
+    ) -> Result<AppendFile, WriteError> {
         let mut output = Output::to(name, records.as_deref())?;
         output.write_all(head.as_bytes())?;
-        Ok(GrowingFile {
+        Ok(AppendFile {
             name: name.to_owned(),
             rows: RowTarget::First {
                 output: Box::new(output),
@@ -76,7 +76,7 @@ impl GrowingFile {
     /// # Errors
     /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
     /// error.
-    pub(crate) fn write(&mut self, lines: &str) -> Result<(), Trouble> {
+    pub(crate) fn write(&mut self, lines: &str) -> Result<(), WriteError> {
         self.check()?;
         match &mut self.rows {
             RowTarget::First { output, length, .. } => {
@@ -89,7 +89,7 @@ impl GrowingFile {
                 *length += length_of(lines);
                 Ok(())
             }
-            RowTarget::Failed => Err(Trouble::Disturbed),
+            RowTarget::Failed => Err(WriteError::Disturbed),
         }
     }
 
@@ -98,7 +98,7 @@ impl GrowingFile {
     /// # Errors
     /// Returns an error if another process has deleted, replaced or changed the file, or an I/O
     /// error.
-    pub(crate) fn finish(mut self) -> Result<(), Trouble> {
+    pub(crate) fn finish(mut self) -> Result<(), WriteError> {
         if let RowTarget::First { .. } = self.rows {
             self.take_place()?;
         }
@@ -119,7 +119,7 @@ impl GrowingFile {
     }
 
     /// Replaces the older file once the first rows are written.
-    fn take_place(&mut self) -> Result<(), Trouble> {
+    fn take_place(&mut self) -> Result<(), WriteError> {
         let first = std::mem::replace(&mut self.rows, RowTarget::Failed);
         if let RowTarget::First {
             output,
@@ -136,12 +136,12 @@ impl GrowingFile {
         Ok(())
     }
 
-    fn check(&self) -> Result<(), Trouble> {
+    fn check(&self) -> Result<(), WriteError> {
         match &self.rows {
             RowTarget::More { file, length }
                 if !is_at(file, &self.name) || file.metadata()?.len() != *length =>
             {
-                Err(Trouble::Disturbed)
+                Err(WriteError::Disturbed)
             }
             RowTarget::First { .. } | RowTarget::More { .. } | RowTarget::Failed => Ok(()),
         }
@@ -165,18 +165,18 @@ fn appending(mut file: File) -> io::Result<File> {
     Ok(file)
 }
 
-impl GrownFile {
+impl ResumableFile {
     /// Opens a file and reads the lines after its head; returns `None` if it has another head. A
     /// missing file, or one truncated within its head, has no lines.
     ///
     /// # Errors
     /// Returns an error if another process is writing the file, or an I/O error.
-    pub(crate) fn open(path: &Path, head: &str) -> Result<Option<GrownFile>, Trouble> {
+    pub(crate) fn open(path: &Path, head: &str) -> Result<Option<ResumableFile>, WriteError> {
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
         let file = options.open(path)?;
         if lock::take(&file) == LockOutcome::Others || !is_at(&file, path) {
-            return Err(Trouble::Busy);
+            return Err(WriteError::Busy);
         }
         let mut reader = BufReader::new(file);
         let mut begin = Vec::new();
@@ -185,7 +185,7 @@ impl GrownFile {
         if !head.as_bytes().starts_with(&begin) {
             return Ok(None);
         }
-        let mut grown = GrownFile {
+        let mut grown = ResumableFile {
             name: path.to_owned(),
             file: reader.get_ref().try_clone()?,
             end: most,
@@ -229,9 +229,9 @@ impl GrownFile {
     ///
     /// # Errors
     /// Returns an I/O error.
-    pub(crate) fn go_on(self) -> Result<GrowingFile, Trouble> {
+    pub(crate) fn go_on(self) -> Result<AppendFile, WriteError> {
         self.file.set_len(self.end)?;
-        Ok(GrowingFile {
+        Ok(AppendFile {
             name: self.name,
             rows: RowTarget::More {
                 file: appending(self.file)?,
@@ -261,7 +261,7 @@ mod tests {
             if is_linked {
                 fs::hard_link(&path, &second).unwrap();
             }
-            let begin = || GrowingFile::begin(&path, "head\n", Some(records.clone())).unwrap();
+            let begin = || AppendFile::begin(&path, "head\n", Some(records.clone())).unwrap();
             drop(begin());
             assert_eq!(fs::read_to_string(&path).unwrap(), "old");
             let mut file = begin();
@@ -284,7 +284,7 @@ mod tests {
 
     /// Writes a file without rows, as a study without designs does.
     fn begin_without_rows(path: &Path) {
-        let file = GrowingFile::begin(path, "head\n", None).unwrap();
+        let file = AppendFile::begin(path, "head\n", None).unwrap();
         file.finish().unwrap();
         assert_eq!(fs::read_to_string(path).unwrap(), "head\n");
     }
@@ -314,19 +314,19 @@ mod tests {
         for (number, (deed, left)) in deeds.into_iter().enumerate() {
             for is_resumed in [false, true] {
                 let path = place(&format!("disturbed-{number}-{is_resumed}"));
-                let mut file = GrowingFile::begin(&path, "head\n", None).unwrap();
+                let mut file = AppendFile::begin(&path, "head\n", None).unwrap();
                 file.write("0\n").unwrap();
                 if is_resumed {
                     file.finish().unwrap();
-                    let grown = GrownFile::open(&path, "head\n").unwrap().unwrap();
+                    let grown = ResumableFile::open(&path, "head\n").unwrap().unwrap();
                     assert_eq!(grown.lines, 1);
                     file = grown.go_on().unwrap();
                 }
                 deed(&path);
                 let refused = file.write("1\n");
-                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                assert!(matches!(refused, Err(WriteError::Disturbed)), "{refused:?}");
                 let refused = file.finish();
-                assert!(matches!(refused, Err(Trouble::Disturbed)), "{refused:?}");
+                assert!(matches!(refused, Err(WriteError::Disturbed)), "{refused:?}");
                 assert_eq!(fs::read_to_string(&path).ok().as_deref(), left);
                 let _ = fs::remove_file(&path);
             }
@@ -339,7 +339,7 @@ mod tests {
         let whole = "head\n0\n1\n2\n3\n4\n";
         for cut in 0..=whole.len() {
             fs::write(&path, &whole[..cut]).unwrap();
-            let grown = GrownFile::open(&path, "head\n").unwrap().unwrap();
+            let grown = ResumableFile::open(&path, "head\n").unwrap().unwrap();
             let lines = whole[..cut].lines().count().saturating_sub(1) as u64;
             let is_cut = cut > 5 && !whole[..cut].ends_with('\n');
             assert_eq!(grown.lines, lines - u64::from(is_cut), "{cut}");
@@ -355,7 +355,7 @@ mod tests {
             assert_eq!(fs::read_to_string(&path).unwrap(), whole, "{cut}");
         }
         fs::write(&path, "hear\n0\n").unwrap();
-        assert!(GrownFile::open(&path, "head\n").unwrap().is_none());
+        assert!(ResumableFile::open(&path, "head\n").unwrap().is_none());
         fs::remove_file(&path).unwrap();
     }
 }

@@ -1,6 +1,6 @@
 //! Advisory file locks (flock), which the system releases when a process ends in any way.
 
-use super::Trouble;
+use super::WriteError;
 use super::guard::open_file;
 use rustix::fs::{FlockOperation, OFlags, flock};
 use rustix::io::Errno;
@@ -51,18 +51,18 @@ const MAX_TRIES: u32 = 100;
 ///
 /// # Errors
 /// Returns an error if another process holds the lock, or an I/O error.
-pub(super) fn hold(path: &Path) -> Result<File, Trouble> {
+pub(super) fn hold(path: &Path) -> Result<File, WriteError> {
     for _ in 0..MAX_TRIES {
         let file = open_file(path, OFlags::RDWR).or_else(|_| open_file(path, OFlags::RDONLY))?;
         if take(&file) == LockOutcome::Others {
-            return Err(Trouble::Busy);
+            return Err(WriteError::Busy);
         }
         // The previous holder of the lock may have replaced the file.
         if is_at(&file, path) {
             return Ok(file);
         }
     }
-    Err(Trouble::Changed)
+    Err(WriteError::Changed)
 }
 
 /// Returns `true` if a name leads to an open file.
@@ -75,7 +75,7 @@ pub(super) fn is_at(file: &File, path: &Path) -> bool {
 /// Takes the lock of a folder, under which its files are compared and replaced. Returns `None` if
 /// the folder cannot be locked, and an error if another process keeps the lock.
 #[cfg(feature = "tui")]
-pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
+pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, WriteError> {
     let flags = OFlags::RDONLY | OFlags::DIRECTORY | OFlags::CLOEXEC;
     let Ok(folder) = open(folder, flags, Mode::empty()) else {
         return Ok(None);
@@ -86,7 +86,7 @@ pub(super) fn of_folder(folder: &Path) -> Result<Option<File>, Trouble> {
         match take(&folder) {
             LockOutcome::Ours => return Ok(Some(folder)),
             LockOutcome::Unknown => return Ok(None),
-            LockOutcome::Others if Instant::now() >= end => return Err(Trouble::Busy),
+            LockOutcome::Others if Instant::now() >= end => return Err(WriteError::Busy),
             LockOutcome::Others => sleep(PAUSE),
         }
     }

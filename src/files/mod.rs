@@ -40,7 +40,7 @@ mod target;
 
 #[cfg(not(unix))]
 pub(crate) use elsewhere::{Output, mend};
-pub(crate) use growing::{GrowingFile, GrownFile};
+pub(crate) use growing::{AppendFile, ResumableFile};
 #[cfg(feature = "tui")]
 pub(crate) use guard::{from_home, open_to_read, read_file};
 pub(crate) use reading::{limited, read_any, read_ready};
@@ -60,7 +60,7 @@ use thiserror::Error;
 
 /// The reason why a file was not written. It is then unchanged.
 #[derive(Debug, Error)]
-pub(crate) enum Trouble {
+pub(crate) enum WriteError {
     /// The file exists, and replacing it was not confirmed.
     #[error("{}", words().exists_already())]
     Exists,
@@ -90,16 +90,16 @@ pub(crate) enum Trouble {
 }
 
 #[cfg(unix)]
-impl From<rustix::io::Errno> for Trouble {
-    fn from(error: rustix::io::Errno) -> Trouble {
-        Trouble::Io(error.into())
+impl From<rustix::io::Errno> for WriteError {
+    fn from(error: rustix::io::Errno) -> WriteError {
+        WriteError::Io(error.into())
     }
 }
 
-impl From<Trouble> for io::Error {
-    fn from(trouble: Trouble) -> io::Error {
+impl From<WriteError> for io::Error {
+    fn from(trouble: WriteError) -> io::Error {
         match trouble {
-            Trouble::Io(error) => error,
+            WriteError::Io(error) => error,
             other => io::Error::other(other.to_string()),
         }
     }

@@ -1,6 +1,6 @@
 //! Writes files atomically: afterwards a file is complete or unchanged.
 
-use super::Trouble;
+use super::WriteError;
 use super::draft::DraftFile;
 #[cfg(feature = "tui")]
 use super::guard;
@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 /// A file being written. If it is dropped before it is committed, nothing changes.
 #[derive(Debug)]
 pub(crate) struct Output {
-    way: OutputWay,
+    way: OutputMode,
     old: Option<OldFile>,
 }
 
@@ -32,7 +32,7 @@ struct OldFile {
 }
 
 #[derive(Debug)]
-enum OutputWay {
+enum OutputMode {
     /// Not a regular file: written directly, because there is nothing to preserve.
     Stream(File),
     /// A new file.
@@ -53,15 +53,15 @@ impl Output {
     ///
     /// # Errors
     /// Returns an I/O error, or an error if the file is read-only.
-    pub(crate) fn to(name: &Path, records: Option<&Path>) -> Result<Output, Trouble> {
+    pub(crate) fn to(name: &Path, records: Option<&Path>) -> Result<Output, WriteError> {
         let target = Target::find(name)?;
         if target.is_read_only() {
-            return Err(Trouble::ReadOnly);
+            return Err(WriteError::ReadOnly);
         }
         Output::of(target, records)
     }
 
-    fn of(target: Target, records: Option<&Path>) -> Result<Output, Trouble> {
+    fn of(target: Target, records: Option<&Path>) -> Result<Output, WriteError> {
         let old = match &target {
             Target::File(path, _) => Some(OldFile {
                 file: lock::hold(path)?,
@@ -70,7 +70,7 @@ impl Output {
             }),
             Target::New(_) | Target::Stream(_) => None,
         };
-        let way = OutputWay::to(target, records)?;
+        let way = OutputMode::to(target, records)?;
         Ok(Output { way, old })
     }
 
@@ -85,8 +85,8 @@ impl Output {
     pub(crate) fn is_locked(&self) -> bool {
         let file = match (&self.old, &self.way) {
             (Some(old), _) => &old.file,
-            (None, OutputWay::New { draft, .. }) => &draft.file,
-            (None, OutputWay::Stream(_) | OutputWay::Over { .. } | OutputWay::Into { .. }) => {
+            (None, OutputMode::New { draft, .. }) => &draft.file,
+            (None, OutputMode::Stream(_) | OutputMode::Over { .. } | OutputMode::Into { .. }) => {
                 return false;
             }
         };
@@ -99,13 +99,13 @@ impl Output {
     /// # Errors
     /// Returns an I/O error, or an error if the file was changed in the meantime; it is then
     /// unchanged.
-    pub(crate) fn commit(self, records: Option<&Path>) -> Result<File, Trouble> {
+    pub(crate) fn commit(self, records: Option<&Path>) -> Result<File, WriteError> {
         self.sync()?;
         if let Some(OldFile { path, stamp, .. }) = &self.old
             && let (Some(then), Some(now)) = (stamp, Stamp::of(path))
             && !now.has_text_of(then)
         {
-            return Err(Trouble::Changed);
+            return Err(WriteError::Changed);
         }
         self.take_place(records)
     }
@@ -114,28 +114,28 @@ impl Output {
     fn sync(&self) -> io::Result<()> {
         match &self.way {
             // A text written in place is on the disk in its record.
-            OutputWay::Stream(_) | OutputWay::Into { .. } => Ok(()),
-            OutputWay::New { draft, .. } | OutputWay::Over { draft, .. } => draft.file.sync_all(),
+            OutputMode::Stream(_) | OutputMode::Into { .. } => Ok(()),
+            OutputMode::New { draft, .. } | OutputMode::Over { draft, .. } => draft.file.sync_all(),
         }
     }
 
-    fn take_place(self, records: Option<&Path>) -> Result<File, Trouble> {
+    fn take_place(self, records: Option<&Path>) -> Result<File, WriteError> {
         let Output { way, old } = self;
-        let kept = || old.map(|old| old.file).ok_or(Trouble::Changed);
+        let kept = || old.map(|old| old.file).ok_or(WriteError::Changed);
         match way {
-            OutputWay::Stream(mut file) => {
+            OutputMode::Stream(mut file) => {
                 file.flush()?;
                 Ok(file)
             }
-            OutputWay::New { draft, target } => {
+            OutputMode::New { draft, target } => {
                 let file = draft.appear(&target).map_err(|e| match e.kind() {
-                    ErrorKind::AlreadyExists => Trouble::Exists,
+                    ErrorKind::AlreadyExists => WriteError::Exists,
                     _ => e.into(),
                 })?;
                 sync_folder_of(&target);
                 Ok(file)
             }
-            OutputWay::Over { draft, target } => {
+            OutputMode::Over { draft, target } => {
                 let mut text = draft.file.try_clone()?;
                 match draft.replace(&target) {
                     Ok(file) => {
@@ -145,14 +145,14 @@ impl Output {
                     // A file of another user in a sticky folder, or a file that is itself a mount
                     // point.
                     Err(e) if is_denied(&e) => {
-                        let records = records.ok_or(Trouble::NoJournal)?;
+                        let records = records.ok_or(WriteError::NoJournal)?;
                         write_into(&target, &mut text, records)?;
                         kept()
                     }
                     Err(e) => Err(e.into()),
                 }
             }
-            OutputWay::Into {
+            OutputMode::Into {
                 mut draft,
                 target,
                 folder,
@@ -164,24 +164,24 @@ impl Output {
     }
 }
 
-impl OutputWay {
-    fn to(target: Target, records: Option<&Path>) -> Result<OutputWay, Trouble> {
+impl OutputMode {
+    fn to(target: Target, records: Option<&Path>) -> Result<OutputMode, WriteError> {
         Ok(match target {
             Target::Stream(path) => {
                 // Append, because the shell may have opened the file and its content must stay.
-                OutputWay::Stream(File::options().append(true).open(path)?)
+                OutputMode::Stream(File::options().append(true).open(path)?)
             }
-            Target::New(target) => OutputWay::New {
+            Target::New(target) => OutputMode::New {
                 draft: DraftFile::new(folder_of(&target))?,
                 target,
             },
             Target::File(target, found) => match beside(&target, &found)? {
-                Some(draft) => OutputWay::Over { draft, target },
+                Some(draft) => OutputMode::Over { draft, target },
                 None => {
-                    let folder = records.ok_or(Trouble::NoJournal)?.to_owned();
+                    let folder = records.ok_or(WriteError::NoJournal)?.to_owned();
                     make_private(&folder)?;
                     let draft = DraftFile::private(&folder)?;
-                    OutputWay::Into {
+                    OutputMode::Into {
                         draft,
                         target,
                         folder,
@@ -195,10 +195,10 @@ impl OutputWay {
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match &mut self.way {
-            OutputWay::Stream(file) => file.write(bytes),
-            OutputWay::New { draft, .. }
-            | OutputWay::Over { draft, .. }
-            | OutputWay::Into { draft, .. } => draft.file.write(bytes),
+            OutputMode::Stream(file) => file.write(bytes),
+            OutputMode::New { draft, .. }
+            | OutputMode::Over { draft, .. }
+            | OutputMode::Into { draft, .. } => draft.file.write(bytes),
         }
     }
 
@@ -209,7 +209,7 @@ impl Write for Output {
 
 /// Creates a draft with all metadata of the file; returns `None` if the file would lose something
 /// by replacement, or if its folder accepts no new file.
-fn beside(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, Trouble> {
+fn beside(target: &Path, found: &Metadata) -> Result<Option<DraftFile>, WriteError> {
     if found.nlink() > 1 {
         return Ok(None);
     }
@@ -260,8 +260,8 @@ pub(crate) struct Saving<'a> {
 #[cfg(feature = "tui")]
 pub(crate) fn save(
     saving: Saving<'_>,
-    compose: impl FnOnce(Option<Vec<u8>>) -> Result<Vec<u8>, Trouble>,
-) -> Result<(), Trouble> {
+    compose: impl FnOnce(Option<Vec<u8>>) -> Result<Vec<u8>, WriteError>,
+) -> Result<(), WriteError> {
     let path = match Target::find(saving.to)? {
         Target::Stream(path) => return Err(Target::no_file(&path)),
         Target::New(path) | Target::File(path, _) => path,
@@ -277,14 +277,14 @@ pub(crate) fn save(
     };
     let bytes = compose(old)?;
     if target.is_read_only() && !saving.though_read_only {
-        return Err(Trouble::ReadOnly);
+        return Err(WriteError::ReadOnly);
     }
     let mut output = Output::of(target, saving.records)?;
     output.write_all(&bytes)?;
     // The slow part is finished before the check for changes by programs that do not use the lock.
     output.sync()?;
     if Stamp::of(&path) != before {
-        return Err(Trouble::Changed);
+        return Err(WriteError::Changed);
     }
     output.take_place(saving.records).map(drop)
 }

@@ -36,7 +36,7 @@ impl Target {
         let mut name = name.to_owned();
         for _ in 0..MAX_LINKS {
             let place = placed(&name)?;
-            if is_of_descriptors(&place) {
+            if is_fd_path(&place) {
                 return Ok(Target::Stream(place));
             }
             let found = match fs::symlink_metadata(&place) {
@@ -60,9 +60,9 @@ impl Target {
 
     /// Returns the error for an object that cannot be saved to.
     #[cfg(feature = "tui")]
-    pub(super) fn no_file(path: &Path) -> super::Trouble {
+    pub(super) fn no_file(path: &Path) -> super::WriteError {
         let kind = fs::metadata(path).map(|found| found.file_type());
-        super::Trouble::NoFile(match kind {
+        super::WriteError::NoFile(match kind {
             Ok(kind) if !kind.is_file() => super::guard::no_file(kind),
             _ => words().is_no_file_of_its_own(),
         })
@@ -94,7 +94,7 @@ fn placed(name: &Path) -> io::Result<PathBuf> {
 }
 
 /// Returns `true` if a path is in a folder that lists the open descriptors of a process.
-fn is_of_descriptors(place: &Path) -> bool {
+fn is_fd_path(place: &Path) -> bool {
     let folder = place.parent();
     folder.is_some_and(|folder| folder.starts_with("/proc") && folder.ends_with("fd"))
 }

@@ -13,7 +13,7 @@ fn folder(name: &str) -> PathBuf {
     folder.canonicalize().unwrap()
 }
 
-fn write(to: &Path, bytes: &[u8], records: Option<&Path>) -> Result<(), Trouble> {
+fn write(to: &Path, bytes: &[u8], records: Option<&Path>) -> Result<(), WriteError> {
     let mut output = Output::to(to, records)?;
     output.write_all(bytes)?;
     output.commit(records).map(drop)
@@ -114,7 +114,10 @@ fn write_keeps_hard_links() {
     let records = folder.join("deep/records");
     fs::write(&one, "old, and longer").unwrap();
     fs::hard_link(&one, &two).unwrap();
-    assert!(matches!(write(&one, b"new", None), Err(Trouble::NoJournal)));
+    assert!(matches!(
+        write(&one, b"new", None),
+        Err(WriteError::NoJournal)
+    ));
     assert_eq!(fs::read_to_string(&one).unwrap(), "old, and longer");
     for text in ["new", "new, and longer than it was"] {
         write(&one, text.as_bytes(), Some(&records)).unwrap();
@@ -275,8 +278,8 @@ mod saving {
         fs::write(&file, "old").unwrap();
         fs::set_permissions(&file, fs::Permissions::from_mode(0o444)).unwrap();
         let refused = save(to(&file), |_| Ok(b"new".to_vec()));
-        assert!(matches!(refused, Err(Trouble::ReadOnly)), "{refused:?}");
-        assert!(matches!(Output::to(&file, None), Err(Trouble::ReadOnly)));
+        assert!(matches!(refused, Err(WriteError::ReadOnly)), "{refused:?}");
+        assert!(matches!(Output::to(&file, None), Err(WriteError::ReadOnly)));
         assert_eq!(fs::read_to_string(&file).unwrap(), "old");
         let meant = Saving {
             though_read_only: true,
@@ -298,7 +301,7 @@ mod saving {
         for name in [&pipe, &folder.join("zero"), Path::new("/dev/full")] {
             assert!(read_file(name, 1 << 20).is_err());
             let refused = save(to(name), |_| Ok(b"new".to_vec()));
-            assert!(matches!(refused, Err(Trouble::NoFile(_))), "{refused:?}");
+            assert!(matches!(refused, Err(WriteError::NoFile(_))), "{refused:?}");
         }
         fs::remove_dir_all(folder).unwrap();
     }
@@ -355,7 +358,7 @@ fn foreign_write_during_save_is_kept() {
         fs::write(&file, "foreign").unwrap();
         Ok(b"new".to_vec())
     };
-    assert!(matches!(save(saving, foreign), Err(Trouble::Changed)));
+    assert!(matches!(save(saving, foreign), Err(WriteError::Changed)));
     assert_eq!(fs::read_to_string(&file).unwrap(), "foreign");
     assert_eq!(names(&folder), ["scene.toml"]);
     save(saving, |_| Ok(b"new".to_vec())).unwrap();
@@ -396,10 +399,13 @@ fn file_being_written_by_another_is_rejected() {
     symlink("out.csv", &link).unwrap();
     let held = Output::to(&file, None).unwrap();
     for name in [&file, &link] {
-        assert!(matches!(Output::to(name, None), Err(Trouble::Busy)));
-        let growing = GrowingFile::begin(name, "head\n", None);
-        assert!(matches!(growing, Err(Trouble::Busy)));
-        assert!(matches!(GrownFile::open(name, "ol"), Err(Trouble::Busy)));
+        assert!(matches!(Output::to(name, None), Err(WriteError::Busy)));
+        let growing = AppendFile::begin(name, "head\n", None);
+        assert!(matches!(growing, Err(WriteError::Busy)));
+        assert!(matches!(
+            ResumableFile::open(name, "ol"),
+            Err(WriteError::Busy)
+        ));
     }
     drop(held);
     assert_eq!(fs::read_to_string(&file).unwrap(), "old");
@@ -407,12 +413,12 @@ fn file_being_written_by_another_is_rejected() {
     let mut late = Output::to(&folder.join("new.csv"), None).unwrap();
     late.write_all(b"late").unwrap();
     write(&folder.join("new.csv"), b"early", None).unwrap();
-    assert!(matches!(late.commit(None), Err(Trouble::Exists)));
+    assert!(matches!(late.commit(None), Err(WriteError::Exists)));
     // A file changed by a writer without locks is kept, too.
     let mut late = Output::to(&file, None).unwrap();
     late.write_all(b"late").unwrap();
     fs::write(&file, "foreign").unwrap();
-    assert!(matches!(late.commit(None), Err(Trouble::Changed)));
+    assert!(matches!(late.commit(None), Err(WriteError::Changed)));
     assert_eq!(fs::read_to_string(&file).unwrap(), "foreign");
     assert_eq!(fs::read_to_string(folder.join("new.csv")).unwrap(), "early");
     fs::remove_dir_all(folder).unwrap();

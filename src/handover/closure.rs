@@ -12,11 +12,11 @@ pub(super) struct Closure {
     /// The unknowns at the scene's start.
     pub(super) seeds: Vec<f64>,
     /// The residuals.
-    pub(super) misfits: Vec<ScriptMisfit>,
+    pub(super) misfits: Vec<ScriptResidual>,
 }
 
 /// A residual of a closure.
-pub(super) enum ScriptMisfit {
+pub(super) enum ScriptResidual {
     /// A complex term, whose both parts must be zero.
     Both(ScriptTerm),
     /// A real term, which must be zero.
@@ -126,7 +126,7 @@ impl ScriptPlacement<'_> {
         }
     }
 
-    fn misfits(&self, unknowns: &Unknowns) -> Vec<ScriptMisfit> {
+    fn misfits(&self, unknowns: &Unknowns) -> Vec<ScriptResidual> {
         let mut misfits = Vec::new();
         let mut placed: Vec<(PointId, ScriptTerm)> = unknowns.pins.clone();
         for (link, stance) in &unknowns.stances {
@@ -138,10 +138,10 @@ impl ScriptPlacement<'_> {
                 let other = placed.iter().find(|(p, _)| *p == point);
                 match other {
                     _ if self.is_known(point) && point != seen_from => {
-                        misfits.push(ScriptMisfit::Both(place.minus(self.point(point))));
+                        misfits.push(ScriptResidual::Both(place.minus(self.point(point))));
                     }
                     Some((_, other)) => {
-                        misfits.push(ScriptMisfit::Both(place.minus(other.clone())))
+                        misfits.push(ScriptResidual::Both(place.minus(other.clone())))
                     }
                     None => placed.push((point, place)),
                 }
@@ -164,7 +164,7 @@ impl ScriptPlacement<'_> {
             if let (Some(link), Some(from)) = (link, from) {
                 let wanted = from.times(self.bend(turned));
                 let off = format!("across({link}, {wanted})");
-                misfits.push(ScriptMisfit::One(ScriptTerm::of(off)));
+                misfits.push(ScriptResidual::One(ScriptTerm::of(off)));
             }
         }
         misfits
@@ -186,7 +186,7 @@ impl ScriptPlacement<'_> {
         id: SlideId,
         unknowns: &Unknowns,
         placed: &[(PointId, ScriptTerm)],
-        misfits: &mut Vec<ScriptMisfit>,
+        misfits: &mut Vec<ScriptResidual>,
     ) {
         let slide = self.mechanism().slide(id);
         let point = slide.slider.point();
@@ -218,13 +218,13 @@ impl ScriptPlacement<'_> {
         let Some((through, body)) = guide else { return };
         let along = body.clone().times(self.along(id));
         let away = place.minus(through);
-        misfits.push(ScriptMisfit::One(ScriptTerm::of(format!(
+        misfits.push(ScriptResidual::One(ScriptTerm::of(format!(
             "across({away}, {along})"
         ))));
         if self.mechanism().is_pushed(id) {
             let ahead = ScriptTerm::of(format!("ahead({away}, {along})"));
             let q = self.coordinate(Input::Push(id));
-            misfits.push(ScriptMisfit::One(ahead.minus(q)));
+            misfits.push(ScriptResidual::One(ahead.minus(q)));
         }
         if let (Slider::Link { turn, .. }, Some((link, stance))) = (slide.slider, sliding)
             && !self.is_aimed(*link)
@@ -234,7 +234,7 @@ impl ScriptPlacement<'_> {
                 number(slide.angle + turn)
             )));
             let lock = format!("across({}, {wanted})", stance.direction);
-            misfits.push(ScriptMisfit::One(ScriptTerm::of(lock)));
+            misfits.push(ScriptResidual::One(ScriptTerm::of(lock)));
         }
     }
 }

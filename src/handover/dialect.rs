@@ -1,6 +1,6 @@
 //! Writes a placement in a script language: the parts around its steps.
 
-use super::closure::{Closure, ScriptMisfit};
+use super::closure::{Closure, ScriptResidual};
 use super::placement::{Assignment, ScriptPlacement, ScriptStep};
 use super::terms::number;
 use crate::scene::{Scene, sanitized};
@@ -192,11 +192,11 @@ impl Writing<'_> {
         }
     }
 
-    fn misfit(&self, misfit: &ScriptMisfit) -> String {
+    fn misfit(&self, misfit: &ScriptResidual) -> String {
         match (misfit, self.language) {
-            (ScriptMisfit::Both(term), ScriptLanguage::Python) => format!("*both({term})"),
-            (ScriptMisfit::Both(term), ScriptLanguage::Matlab) => format!("both({term})"),
-            (ScriptMisfit::One(term), _) => term.to_string(),
+            (ScriptResidual::Both(term), ScriptLanguage::Python) => format!("*both({term})"),
+            (ScriptResidual::Both(term), ScriptLanguage::Matlab) => format!("both({term})"),
+            (ScriptResidual::One(term), _) => term.to_string(),
         }
     }
 

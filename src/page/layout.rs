@@ -20,7 +20,7 @@ impl Page {
     /// Returns the lines for a medium.
     pub(super) fn laid_out(&self, style: TextStyle, medium: Medium) -> Vec<Line> {
         let TextStyle { ascii, width } = style;
-        let room = PageRoom { width, medium };
+        let room = PageSize { width, medium };
         let names = self.is_aligned.then(|| self.shown(ascii).names(room));
         let mut lines = Vec::new();
         for block in &self.blocks {
@@ -41,7 +41,7 @@ impl Page {
     }
 
     /// Returns the common name column of all tables and facts.
-    fn names(&self, room: PageRoom) -> NameColumn {
+    fn names(&self, room: PageSize) -> NameColumn {
         let contents = || self.blocks.iter().map(|block| &block.content);
         let tables = || {
             contents().filter_map(|content| match content {
@@ -84,7 +84,7 @@ pub(super) enum Medium {
 
 /// The available width and the medium.
 #[derive(Clone, Copy, Debug)]
-struct PageRoom {
+struct PageSize {
     width: usize,
     medium: Medium,
 }
@@ -99,7 +99,7 @@ struct NameColumn {
 }
 
 impl Content {
-    fn lines(&self, names: Option<NameColumn>, room: PageRoom) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, room: PageSize) -> Vec<Line> {
         let width = room.width;
         let of = |role, text: &str| {
             let lines = broken(text, width).into_iter();
@@ -174,7 +174,7 @@ impl Table {
     }
 
     /// Returns the width of the names.
-    fn names(&self, more: bool, room: PageRoom) -> usize {
+    fn names(&self, more: bool, room: PageSize) -> usize {
         let rows = self.rows.iter().filter(|row| !matches!(row, Row::Part(_)));
         let names = rows.map(|row| {
             let (mark, name) = row.label(more);
@@ -223,7 +223,7 @@ impl Table {
             .collect()
     }
 
-    fn columns(&self, names: usize, spread: usize, room: PageRoom) -> ColumnLayout {
+    fn columns(&self, names: usize, spread: usize, room: PageSize) -> ColumnLayout {
         let setting = Setting {
             spread: self.setting.spread.min(spread),
             // On paper, all columns fit below one another.
@@ -237,11 +237,11 @@ impl Table {
     }
 
     /// Returns `true` if all columns fit next to names of this width.
-    fn is_whole(&self, names: usize, room: PageRoom) -> bool {
+    fn is_whole(&self, names: usize, room: PageSize) -> bool {
         self.columns(names, 0, room).is_whole(room.width)
     }
 
-    fn lines(&self, names: Option<NameColumn>, room: PageRoom) -> Vec<Line> {
+    fn lines(&self, names: Option<NameColumn>, room: PageSize) -> Vec<Line> {
         let names = names.unwrap_or_else(|| {
             let long = self.names(true, room);
             let more = self.is_whole(long, room);

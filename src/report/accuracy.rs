@@ -7,7 +7,7 @@ use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
 use crate::scene::Scene;
 use crate::solver::{Method, Start, Unfit};
 use crate::study::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict, Spread};
-use crate::wording::{Words, for_programs, words};
+use crate::wording::{Words, english_words, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -214,7 +214,7 @@ impl Accuracy<'_> {
         let errors = figures.and_then(|f| f.errors);
         let error = |part: fn(&MethodErrors) -> f64| errors.map(|e| part(&e));
         let iterations = figures.and_then(|f| f.iterations);
-        let say = for_programs();
+        let say = english_words();
         let reason = match finding.verdict {
             MethodVerdict::Measured(_) => None,
             MethodVerdict::Unfit(unfit) => Some(why_unfit(unfit, self.scene, say)),

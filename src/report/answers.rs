@@ -5,7 +5,7 @@ use super::number::significant;
 use super::tables_data::number;
 use crate::page::{Content, Setting, Table};
 use crate::quantity::{Derivatives, Sensitivity};
-use crate::wording::{for_programs, words};
+use crate::wording::{english_words, words};
 use serde_json::{Map, Value, json};
 
 /// The sensitivity of one value to the given lengths.
@@ -186,5 +186,5 @@ impl Answer {
 
 /// Returns the unit of a derivative by a length, for other programs: `rad/s per mm`.
 pub(super) fn per(figure: &str, length: &str) -> String {
-    for_programs().per(figure, length)
+    english_words().per(figure, length)
 }

@@ -44,7 +44,8 @@ impl Check {
             hanging: FURTHER,
             list: Vec::new(),
         };
-        let told = |text: &Option<String>| text.as_deref().map(|it| words().told_of_scene(it));
+        let told =
+            |text: &Option<String>| text.as_deref().map(|it| words().translated_scene_text(it));
         facts.tell(words().fact_source(), told(&self.source));
         facts.tell(words().fact_note(), told(&self.note));
         facts.tell(words().fact_unit(), [self.unit.to_owned()]);
@@ -121,7 +122,7 @@ impl Check {
             facts.tell(words().fact_open(), [self.open_text()]);
         }
         let mut page = Page::default();
-        page.title(&words().told_of_scene(&self.scene));
+        page.title(&words().translated_scene_text(&self.scene));
         page.add_below(Content::Facts(facts));
         page
     }

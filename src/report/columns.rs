@@ -5,7 +5,7 @@ use crate::quantity::Quantity;
 
 /// Extra columns for each value of a sweep.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Beside {
+pub struct ExtraColumns {
     /// The proved error bound: `C.x.bound`.
     pub bounds: bool,
     /// The maximum change if every given length changes by at most one unit: `C.x.sensitivity`.
@@ -37,7 +37,7 @@ pub struct Columns {
     pub(super) sources: Vec<CellSource>,
     /// The values alone, without the driver's coordinate.
     pub(super) figures: Vec<Quantity>,
-    pub(super) beside: Beside,
+    pub(super) beside: ExtraColumns,
     pub(super) units: bool,
 }
 
@@ -53,7 +53,7 @@ impl Columns {
             sources: vec![CellSource::Figure; quantities.len()],
             quantities,
             figures,
-            beside: Beside::default(),
+            beside: ExtraColumns::default(),
             units,
         }
     }
@@ -61,7 +61,7 @@ impl Columns {
     /// Adds extra columns to each value, except the driver's coordinate; `length` is the symbol of
     /// the unit of length.
     #[must_use]
-    pub fn with(mut self, beside: Beside, length: &str) -> Self {
+    pub fn with(mut self, beside: ExtraColumns, length: &str) -> Self {
         self.beside = beside;
         self.quantities.truncate(1);
         self.sources.truncate(1);

@@ -39,7 +39,7 @@ impl CycleReport {
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
-        page.title(&words().told_of_scene(&self.scene));
+        page.title(&words().translated_scene_text(&self.scene));
         let speed = self.rate_text(self.speed);
         page.text_below(match self.range {
             Range::Full { .. } => words().cycle_goes_round(&speed, &self.range_text),

@@ -8,8 +8,8 @@ use crate::Body;
 use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver};
-use crate::study::{Excursion, ExcursionWish, FigurePlace, NoFigure};
-use crate::wording::{Language, Words, for_programs, words};
+use crate::study::{Excursion, ExcursionOptions, FigurePlace, NoFigure};
+use crate::wording::{Language, Words, english_words, words};
 use serde_json::{Value, json};
 use std::io;
 
@@ -116,7 +116,7 @@ impl CycleReport {
         columns: &[Quantity],
         tolerance: Option<f64>,
     ) -> CycleReport {
-        let wish = ExcursionWish {
+        let wish = ExcursionOptions {
             rates: true,
             dwells: true,
             tolerance,
@@ -127,14 +127,14 @@ impl CycleReport {
     /// Computes strokes, swings, turning places and time ratios of the usual columns only.
     pub(super) fn strokes(scene: &Scene, solver: &Solver) -> CycleReport {
         let columns = usual_columns(scene);
-        CycleReport::followed(scene, solver, &columns, ExcursionWish::default())
+        CycleReport::followed(scene, solver, &columns, ExcursionOptions::default())
     }
 
     fn followed(
         scene: &Scene,
         solver: &Solver,
         columns: &[Quantity],
-        wish: ExcursionWish,
+        wish: ExcursionOptions,
     ) -> CycleReport {
         let catalogue = Catalogue::new(scene);
         let found = Excursion::of_all(solver, columns, wish);
@@ -351,7 +351,7 @@ impl CycleReport {
     /// Returns the reason why a value is missing; in English for programs.
     pub(super) fn reason(&self, why: NoFigure, language: Language) -> String {
         let told = match language {
-            Language::English => for_programs(),
+            Language::English => english_words(),
             _ => words(),
         };
         figure_reason(why, &self.driver.unit, told)

@@ -11,7 +11,7 @@ use crate::study::{
     BestDesign, CycleFigure, Design, DesignSpace, FoundDesign, Goal, NoDesign, NoFigure,
     SearchOutcome,
 };
-use crate::wording::{Words, for_programs, words};
+use crate::wording::{Words, english_words, words};
 use serde_json::{Map, Value, json};
 
 /// Significant digits of values, and of numbers that must reproduce a goal.
@@ -163,7 +163,7 @@ impl GoalReport<'_> {
             "goals": self.goals.iter().map(written).collect::<Vec<_>>(),
             "given": named(self.space, &self.space.given()),
             "lacks": Value::Object(
-                (self.lacks(for_programs()).into_iter())
+                (self.lacks(english_words()).into_iter())
                     .map(|(name, why)| (name, json!(why)))
                     .collect()
             ),

@@ -3,7 +3,7 @@
 
 use super::number::concise;
 use crate::solver::{DrivenLoop, Grashof, Inversion};
-use crate::wording::{Words, for_programs, words};
+use crate::wording::{Words, english_words, words};
 use serde::Serialize;
 
 /// Significant digits of lengths: enough to distinguish a near miss from a change point.
@@ -57,8 +57,8 @@ impl LoopFacts {
                 grashof,
                 inversion,
             } => LoopFacts::FourBar {
-                inversion: inversion_word(inversion, grashof, for_programs()),
-                grashof: grashof_word(grashof, for_programs()),
+                inversion: inversion_word(inversion, grashof, english_words()),
+                grashof: grashof_word(grashof, english_words()),
                 class: (inversion, grashof),
                 driven,
                 coupler,

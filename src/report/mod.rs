@@ -70,7 +70,7 @@ pub use check::{
     LinedUpFacts, NearMissFacts, TransmissionFacts, near_misses,
 };
 pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
-pub use columns::{Beside, Columns};
+pub use columns::{Columns, ExtraColumns};
 pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
 pub use curves::curves_csv;
 pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
@@ -80,7 +80,7 @@ pub use difference::Pairing;
 pub use entry::{Entry, PlaneVector};
 pub use errors::Missing;
 pub use exercise::{
-    AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, NoAnswers, StrangeCell,
+    AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, InvalidCell, NoAnswers,
     answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
 };
 pub use figure_list::{FigureList, ListedFigure};
@@ -89,7 +89,7 @@ pub use goals::{BestReport, GoalReport, no_best};
 pub use input_facts::InputFacts;
 pub use least::Least;
 pub use motion_facts::{LeavingFacts, MotionFacts, StepFacts};
-pub use motor::{MotorReport, MotorWishes, RamReport};
+pub use motor::{MotorReport, MotorRequest, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use range_text::{limits_text, range_text};
 pub use slide_facts::{SlideFacts, SliderKind};
@@ -101,7 +101,7 @@ pub use tables_page::TableStyle;
 pub use text_encoding::TextEncoding;
 pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
-pub use tolerance_page::{ToldTolerance, ToleranceReport};
+pub use tolerance_page::{ToleranceReport, ToleranceRow};
 pub use tolerance_rows::{ToleranceFormat, ToleranceOutcome, ToleranceRows};
 pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{

@@ -3,7 +3,7 @@
 use super::check::unsigned_zero;
 use super::number::concise;
 use super::stop_facts::stop_name;
-use crate::quantity::{Catalogue, MotionLeaves};
+use crate::quantity::{Catalogue, MotionOutOfRange};
 use crate::scene::Scene;
 use crate::solver::Solver;
 use crate::wording::words;
@@ -112,7 +112,7 @@ impl MotionFacts {
             speed: scale(speed),
             acceleration: scale(acceleration),
             jump,
-            leaves: MotionLeaves::of(law, solver).map(|leaves| LeavingFacts {
+            leaves: MotionOutOfRange::of(law, solver).map(|leaves| LeavingFacts {
                 time: leaves.time,
                 at: leaves.at,
                 stop: leaves.stop.map(|stop| stop_name(scene, stop)),
@@ -168,7 +168,7 @@ impl MotionFacts {
 }
 
 /// Describes where a motion leaves the range.
-pub(super) fn leaves_text(scene: &Scene, leaves: &MotionLeaves) -> String {
+pub(super) fn leaves_text(scene: &Scene, leaves: &MotionOutOfRange) -> String {
     let catalogue = Catalogue::new(scene);
     let unit = &catalogue.driver().unit;
     let (time, at) = (concise(leaves.time, PLACES), concise(leaves.at, PLACES));

@@ -8,9 +8,9 @@ use crate::quantity::Catalogue;
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
 use crate::study::motor::{
-    Course, CycleShaking, DriveEffort, Duty, Dwell, MAX_FLUCTUATION, MotorDemand, MotorFit, NoDuty,
-    NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with, flywheel_for,
-    rams,
+    Course, CycleShaking, DriveEffort, Duty, DutyError, Dwell, MAX_FLUCTUATION, MotorDemand,
+    MotorFit, NoRam, Passing, Peak, Ram, RamEnd, Rule, SMALL_FLUCTUATION, fluctuation_with,
+    flywheel_for, rams,
 };
 use crate::wording::words;
 use crate::{Input, Load, SlideId, StrokeEnd};
@@ -19,7 +19,7 @@ use std::io;
 
 /// The parameters of a study of the motor that are not in the scene.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MotorWishes {
+pub struct MotorRequest {
     /// The motor, the flywheel and the required fluctuation; the scene's values by default.
     pub motor: Motor,
     /// The ram; by default the slide with a press, or the only possible ram.
@@ -36,10 +36,10 @@ pub struct MotorWishes {
 #[derive(Clone, Debug)]
 pub struct MotorReport {
     /// The driver's effort over the cycle, or the reason why there is none.
-    pub duty: Result<Duty, NoDuty>,
+    pub duty: Result<Duty, DutyError>,
     /// The ram, or the reason why there is none.
     pub ram: Result<RamReport, String>,
-    pub(super) wishes: MotorWishes,
+    pub(super) wishes: MotorRequest,
     pub(super) fit: MotorFit,
     pub(super) scene: String,
     /// The unit of length, and that of the driver's coordinate.
@@ -83,7 +83,7 @@ pub(super) const PARTS: [&str; 3] = ["load", "gravity", "inertia"];
 impl MotorReport {
     /// Studies the motor of a scene.
     #[must_use]
-    pub fn new(scene: &Scene, solver: &Solver, wishes: MotorWishes) -> MotorReport {
+    pub fn new(scene: &Scene, solver: &Solver, wishes: MotorRequest) -> MotorReport {
         let mechanism = &scene.mechanism;
         let duty = Duty::new(mechanism, solver, wishes.between);
         let catalogue = Catalogue::new(scene);
@@ -128,7 +128,7 @@ impl MotorReport {
 
     /// Returns the fluctuation left by the flywheel, and the flywheel needed for the required
     /// fluctuation; `None` without a cycle or its fluctuation.
-    pub(super) fn evenness(&self) -> Option<Evenness> {
+    pub(super) fn evenness(&self) -> Option<SpeedFluctuation> {
         let cycle = &self.duty.as_ref().ok()?.cycle;
         let energy = cycle.fluctuation?.energy;
         let Motor {
@@ -136,7 +136,7 @@ impl MotorReport {
             fluctuation,
             ..
         } = self.wishes.motor;
-        Some(Evenness {
+        Some(SpeedFluctuation {
             with: flywheel.and_then(|i| Some((i, fluctuation_with(energy, cycle.speed, i)?))),
             wished: fluctuation.and_then(|c| Some((c, flywheel_for(energy, cycle.speed, c)?))),
         })
@@ -338,7 +338,7 @@ impl MotorReport {
 
 /// The fluctuation left by a flywheel, and the flywheel needed for a fluctuation.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(super) struct Evenness {
+pub(super) struct SpeedFluctuation {
     pub(super) with: Option<(f64, f64)>,
     pub(super) wished: Option<(f64, f64)>,
 }
@@ -372,7 +372,7 @@ pub(super) fn end_word(end: StrokeEnd) -> &'static str {
 }
 
 /// Selects the ram and computes its motion.
-fn ram(scene: &Scene, solver: &Solver, wishes: &MotorWishes) -> Result<RamReport, String> {
+fn ram(scene: &Scene, solver: &Solver, wishes: &MotorRequest) -> Result<RamReport, String> {
     let mechanism = &scene.mechanism;
     let pressed = mechanism.loads().iter().find_map(|load| match load {
         Load::Press { slide, .. } => Some(*slide),

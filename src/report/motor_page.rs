@@ -6,7 +6,7 @@ mod telling;
 use super::motor::{MotorReport, NOTHING};
 use super::number::{concise, significant};
 use crate::page::{Page, Row, Table, TextStyle};
-use crate::study::motor::{Cycle, DriveEffort, Duty, MotorDemand, NoDuty, Peak};
+use crate::study::motor::{Cycle, DriveEffort, Duty, DutyError, MotorDemand, Peak};
 use crate::wording::words;
 use telling::{
     cleaned, columns_of, facts, figure, indented, indented_facts, is_constant, known, none, rough,
@@ -32,7 +32,7 @@ impl MotorReport {
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
-        page.title(&words().told_of_scene(&self.scene));
+        page.title(&words().translated_scene_text(&self.scene));
         match &self.duty {
             Ok(duty) => self.add_duty(duty, &mut page),
             Err(why) => page.text_below(self.nothing(why)),
@@ -44,10 +44,10 @@ impl MotorReport {
     }
 
     /// Returns the reason why there are no values.
-    pub(crate) fn nothing(&self, why: &NoDuty) -> String {
+    pub(crate) fn nothing(&self, why: &DutyError) -> String {
         match why {
-            NoDuty::NothingActs => words().nothing_acts().into(),
-            NoDuty::Withheld(hidden) => words().no_figures(&hidden.text(&self.driver_unit)),
+            DutyError::NothingActs => words().nothing_acts().into(),
+            DutyError::Withheld(hidden) => words().no_figures(&hidden.text(&self.driver_unit)),
         }
     }
 

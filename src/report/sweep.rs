@@ -2,7 +2,7 @@
 //!
 //! A few states and one line buffer serve all rows: memory does not depend on the number of rows.
 
-use super::columns::{Beside, Columns};
+use super::columns::{Columns, ExtraColumns};
 use super::csv_dialect::CsvDialect;
 use super::errors::{ErrorCells, Missing};
 use super::rows::{CsvRows, JsonRows, RowWriter, TextRows};
@@ -111,7 +111,7 @@ impl<'a> Sweep<'a> {
     /// text, which shows values within their error bounds as zero.
     fn errors(&self, solver: &Solver) -> Option<ErrorCells<'a>> {
         let rounded = matches!(self.format, RowFormat::Text { .. });
-        let wanted = rounded || self.columns.beside != Beside::default();
+        let wanted = rounded || self.columns.beside != ExtraColumns::default();
         wanted.then(|| ErrorCells::new(self.columns, self.scene, self.solver, solver, rounded))
     }
 }

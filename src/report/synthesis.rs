@@ -8,8 +8,8 @@ use super::structural_error::StructuralError;
 use super::synthesis_csv::{defect_words, family};
 use crate::page::{Cell, Content, Facts, Head, Page, Table, TextStyle};
 use crate::synthesis::{
-    Candidate, MissedWish, OpenReason, Output, Partner, PosedDyad, SceneGoals, SceneTitles,
-    Synthesis, Task, TaskDefect, TaskKind,
+    Candidate, OpenReason, Output, Partner, PosedDyad, SceneGoals, SceneTitles, Synthesis, Task,
+    TaskDefect, TaskKind, UnmetPreference,
 };
 use crate::task_file::TaskFile;
 use crate::wording::words;
@@ -334,7 +334,7 @@ fn reason(defect: &TaskDefect) -> String {
     }
 }
 
-pub(super) fn lacking(missed: &[MissedWish]) -> String {
+pub(super) fn lacking(missed: &[UnmetPreference]) -> String {
     let names: Vec<&str> = missed.iter().map(wish).collect();
     match names.is_empty() {
         true => "-".into(),
@@ -356,12 +356,12 @@ fn reason_name(reason: OpenReason) -> &'static str {
 }
 
 /// Returns the name of a preference in task files.
-pub(super) fn wish(wish: &MissedWish) -> &'static str {
+pub(super) fn wish(wish: &UnmetPreference) -> &'static str {
     match wish {
-        MissedWish::FullTurn => "full-turn",
-        MissedWish::Transmission => "transmission",
-        MissedWish::Inside => "inside",
-        MissedWish::Ratio => "ratio",
-        MissedWish::Sense => "direction",
+        UnmetPreference::FullTurn => "full-turn",
+        UnmetPreference::Transmission => "transmission",
+        UnmetPreference::Inside => "inside",
+        UnmetPreference::Ratio => "ratio",
+        UnmetPreference::Sense => "direction",
     }
 }

@@ -106,7 +106,7 @@ impl TablesWriter<'_> {
             let value = concise(driver.values[i], digits[i]);
             format!("{value} {}", aspects[i].unit(self.tables.unit))
         });
-        page.title(&words().told_of_scene(&self.tables.scene));
+        page.title(&words().translated_scene_text(&self.tables.scene));
         let name = from_seat(&driver.name, driver.from.as_deref());
         page.text_below(words().driver_at(&name, &at, &speed, &acceleration));
         page.text_below(

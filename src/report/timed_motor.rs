@@ -73,7 +73,7 @@ impl TimedMotorReport {
     #[must_use]
     pub fn page(&self) -> Page {
         let (duty, mut page) = (&self.duty, Page::aligned());
-        page.title(&words().told_of_scene(&self.scene));
+        page.title(&words().translated_scene_text(&self.scene));
         page.text_below(words().over_a_period(&concise(duty.period, DIGITS)));
         let effort = match self.turns {
             true => words().torque(),

@@ -12,7 +12,7 @@ use crate::study::{
     Contribution, Distribution, Percentiles, SampleOrder, Samples, ToleranceFigure, ToleranceOf,
     ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
 };
-use crate::wording::{for_programs, words};
+use crate::wording::{english_words, words};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -27,15 +27,15 @@ const INDENT: usize = 2;
 pub struct ToleranceReport {
     scene: String,
     /// The place; `None` for values of the whole motion.
-    place: Option<ToldPlace>,
+    place: Option<PlaceReport>,
     /// The results for each value.
-    pub figures: Vec<ToldTolerance>,
-    samples: Option<ToldSamples>,
+    pub figures: Vec<ToleranceRow>,
+    samples: Option<SampleSummary>,
 }
 
 /// A coordinate of the driver, with the condition of the mechanism there.
 #[derive(Clone, Debug)]
-struct ToldPlace {
+struct PlaceReport {
     driver: Quantity,
     at: f64,
     condition: Condition,
@@ -43,7 +43,7 @@ struct ToldPlace {
 
 /// The effect of tolerances on a value.
 #[derive(Clone, Debug)]
-pub struct ToldTolerance {
+pub struct ToleranceRow {
     /// The name of the value.
     pub name: String,
     /// The unit of the value; empty if it has none.
@@ -58,7 +58,7 @@ pub struct ToldTolerance {
 
 /// The results of all samples.
 #[derive(Clone, Copy, Debug)]
-struct ToldSamples {
+struct SampleSummary {
     order: SampleOrder,
     open: f64,
     changed: Option<f64>,
@@ -81,7 +81,7 @@ impl ToleranceReport {
             .figures()
             .iter()
             .map(|q| (q.name.clone(), q.unit.clone()));
-        let place = ToldPlace {
+        let place = PlaceReport {
             driver: Catalogue::new(scene).driver().clone(),
             at,
             condition,
@@ -101,7 +101,7 @@ impl ToleranceReport {
 
     fn of(
         scene: &Scene,
-        place: Option<ToldPlace>,
+        place: Option<PlaceReport>,
         found: impl Iterator<Item = ((String, String), Option<ToleranceFigure>)>,
         sampled: Option<(SampleOrder, Samples)>,
     ) -> Self {
@@ -114,7 +114,7 @@ impl ToleranceReport {
                 found.with_samples(*order, percentiles);
             }
             let from = found.iter().flat_map(|found| &found.contributions);
-            ToldTolerance {
+            ToleranceRow {
                 name,
                 unit,
                 contributions: from.map(|c| (contributor(scene, c.of), *c)).collect(),
@@ -126,7 +126,7 @@ impl ToleranceReport {
             scene: scene.name.clone(),
             place,
             figures: told.collect(),
-            samples: sampled.map(|(order, samples)| ToldSamples {
+            samples: sampled.map(|(order, samples)| SampleSummary {
                 order,
                 open: samples.open,
                 changed: samples.changed,
@@ -144,9 +144,9 @@ impl ToleranceReport {
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
-        page.title(&words().told_of_scene(&self.scene));
+        page.title(&words().translated_scene_text(&self.scene));
         page.text_below(match &self.place {
-            Some(ToldPlace { driver, at, .. }) => {
+            Some(PlaceReport { driver, at, .. }) => {
                 format!("{} {} {}", driver.name, concise(*at, 9), driver.unit)
             }
             None => words().over_the_whole_motion().to_owned(),
@@ -160,7 +160,7 @@ impl ToleranceReport {
         page
     }
 
-    fn add_figure(&self, told: &ToldTolerance, page: &mut Page) {
+    fn add_figure(&self, told: &ToleranceRow, page: &mut Page) {
         let mut facts = Facts::default();
         let header = with_unit(&told.name, &told.unit);
         let Some(found) = &told.found else {
@@ -194,7 +194,7 @@ impl ToleranceReport {
     pub fn write_csv(&self, dialect: CsvDialect, to: impl Write) -> io::Result<()> {
         let mut csv = CsvSheet::new(dialect, to);
         csv.record(["name", "value", "unit"])?;
-        if let Some(ToldPlace { driver, at, .. }) = &self.place {
+        if let Some(PlaceReport { driver, at, .. }) = &self.place {
             csv.record([&*driver.name, &cell(Some(*at)), &*driver.unit])?;
         }
         for told in &self.figures {
@@ -241,7 +241,7 @@ impl ToleranceReport {
     }
 }
 
-impl ToldSamples {
+impl SampleSummary {
     fn facts(&self) -> Facts {
         let mut facts = Facts::default();
         let SampleOrder {
@@ -267,7 +267,7 @@ impl ToldSamples {
     }
 }
 
-impl ToldTolerance {
+impl ToleranceRow {
     /// Returns the table of contributions.
     fn table(&self) -> Table {
         let heads = [
@@ -474,7 +474,7 @@ pub(super) fn bounded(end: f64) -> Option<f64> {
 fn end_json(end: f64) -> Value {
     match bounded(end) {
         Some(end) => number(Some(end)),
-        None => json!({ "none": for_programs().worst_unbounded() }),
+        None => json!({ "none": english_words().worst_unbounded() }),
     }
 }
 

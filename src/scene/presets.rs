@@ -86,7 +86,7 @@ mod tests {
                 scene.note.as_ref(),
             ];
             for text in texts.into_iter().flatten() {
-                let said = crate::wording::words().told_of_scene(text);
+                let said = crate::wording::words().translated_scene_text(text);
                 assert_ne!(&said, text, "{}", preset.name);
                 let figures = |text: &str| -> Vec<String> {
                     let figures = text.split(|c: char| !c.is_ascii_digit() && c != '.');

@@ -11,7 +11,7 @@ fn judged_and_opened(kind: TaskKind, proposal: &Proposal) -> (Candidate, Scene) 
         kind,
         four_bars: true,
         slider_cranks: true,
-        wishes: Wishes::default(),
+        wishes: Preferences::default(),
     };
     let candidate = Candidate::judge(&task, proposal);
     let text = scene_text(&candidate.proposal, &task, &SceneTitles::default()).unwrap();

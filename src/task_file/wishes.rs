@@ -4,7 +4,7 @@ use super::{Reader, RowList, WrittenTask, measured, named, points};
 use crate::Vec2;
 use crate::document::{ByteSpan, Diagnostic, Lenient};
 use crate::expression::Dimension;
-use crate::synthesis::{FunctionTask, Given, Output, Sense, Task, TaskKind, Wishes};
+use crate::synthesis::{FunctionTask, Given, Output, Preferences, Sense, Task, TaskKind};
 use crate::wording::words;
 use serde::Deserialize;
 
@@ -28,7 +28,7 @@ const SENSES: [(&str, Sense); 2] = [
 
 /// The preferences, with the order only if it was given.
 pub(super) struct ReadWishes {
-    wishes: Wishes,
+    wishes: Preferences,
     ordered: Option<bool>,
     /// The places of the direction and of the box.
     direction: Option<ByteSpan>,
@@ -40,7 +40,7 @@ pub(super) fn wishes(
     value: Option<&Lenient<WrittenWishes>>,
 ) -> ReadWishes {
     let mut read = ReadWishes {
-        wishes: Wishes::default(),
+        wishes: Preferences::default(),
         ordered: None,
         direction: None,
         inside: None,
@@ -148,8 +148,8 @@ fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> 
 impl ReadWishes {
     /// Returns the preferences for the synthesis; points are visited in order unless the file says
     /// the opposite.
-    pub(super) fn for_motion(&self) -> Wishes {
-        Wishes {
+    pub(super) fn for_motion(&self) -> Preferences {
+        Preferences {
             ordered: self.ordered.unwrap_or(true),
             ..self.wishes
         }

@@ -1,6 +1,6 @@
 //! Tests the public interface of the library as a dependent crate uses it.
 
-use crate::scene::{Diagnostics, Mistyped};
+use crate::scene::{Diagnostics, ValueError};
 use crate::solver::{Condition, Fault, Order, Solver, State, Workspace};
 use crate::{Defect, Defects, Driver, Input, Mechanism, Vec2};
 use nalgebra::{Point2, Vector2};
@@ -15,9 +15,9 @@ const _: () = {
     is_an_error::<Defects>();
     is_an_error::<Fault>();
     is_an_error::<Diagnostics>();
-    is_an_error::<Mistyped>();
-    is_an_error::<crate::assembly::Misread>();
-    is_an_error::<crate::quantity::NoTime>();
+    is_an_error::<ValueError>();
+    is_an_error::<crate::assembly::AssemblyError>();
+    is_an_error::<crate::quantity::TimeError>();
     is_an_error::<crate::quantity::UnknownColumn>();
     is_an_error::<crate::report::StepsError>();
     is_an_error::<crate::study::motor::NoRam>();

@@ -44,7 +44,7 @@ use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::EditLine;
 pub(crate) use crate::tui::commands::view::View;
 use crate::tui::document::Document;
-use crate::tui::document::clerk::Clerk;
+use crate::tui::document::clerk::JobRunner;
 use crate::tui::document::editor::Editor;
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::figures::search::FoundLine;
@@ -132,7 +132,7 @@ pub(crate) struct App {
     comparison: Comparison,
 
     /// Runs file operations.
-    clerk: Clerk<App>,
+    clerk: JobRunner<App>,
     /// The dialect of written CSV files.
     csv: CsvDialect,
     /// The action to run once all edits are saved or discarded.
@@ -166,7 +166,7 @@ impl App {
             candidates: None,
             goal_run: None,
             comparison: Comparison::default(),
-            clerk: Clerk::default(),
+            clerk: JobRunner::default(),
             csv: CsvDialect::default(),
             pending: None,
             scenes: 1,
@@ -175,15 +175,15 @@ impl App {
         if let Some(at) = at {
             app.jump(at, Duration::ZERO);
         }
-        app.attend_to_panes();
+        app.update_needs();
         app.meet();
         app.attend(Duration::ZERO);
         app
     }
 
     /// Moves file operations to background threads, if the system allows threads.
-    pub(crate) fn work_apart(&mut self) {
-        self.clerk = Clerk::apart().unwrap_or_default();
+    pub(crate) fn use_background_threads(&mut self) {
+        self.clerk = JobRunner::apart().unwrap_or_default();
     }
 
     /// Returns a file descriptor that becomes readable when a file operation ends.
@@ -209,7 +209,7 @@ impl App {
         self.shell.has_mouse = config.mouse;
         self.csv = config.csv;
         self.shell.composition = Composition::of(config.layout);
-        self.attend_to_panes();
+        self.update_needs();
     }
 
     /// Switches to the next language and rebuilds all cached text.
@@ -221,7 +221,7 @@ impl App {
         if let Some(list) = &mut self.candidates {
             list.say_again();
         }
-        self.attend_to_panes();
+        self.update_needs();
         self.shell.say(words().language_is());
     }
 

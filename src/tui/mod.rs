@@ -42,16 +42,16 @@ pub use views::help::keys::key_list;
 pub(crate) use views::help::keys::{key_rows, key_rows_about};
 pub use workbench::Workbench;
 
-use crate::capability::Judgement;
+use crate::capability::TerminalProfile;
 use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::scene::Scene;
 use crate::solver::Solver;
-use crate::synthesis::SynthesisOrder;
+use crate::synthesis::SynthesisSettings;
 use crate::task_file::TaskFile;
 use crate::wording::words;
 use app::Effect;
-use commands::mouse::{Mouse, MouseDeed};
+use commands::mouse::{Mouse, MouseEventKind};
 use std::backtrace::{Backtrace, BacktraceStatus};
 use std::io;
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
@@ -107,7 +107,7 @@ impl TaskOrder {
         TaskOrder {
             file,
             name,
-            seed: SynthesisOrder::USUAL_SEED,
+            seed: SynthesisSettings::USUAL_SEED,
             tolerance: None,
             folder: None,
         }
@@ -188,7 +188,7 @@ impl Error {
 /// Returns an error if no suitable terminal exists, if an I/O operation on it fails, or if the
 /// workbench panics.
 pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
-    let judgement = Judgement::of(|name| std::env::var(name).ok());
+    let judgement = TerminalProfile::of(|name| std::env::var(name).ok());
     let plain = (options.theme == Theme::Plain).then_some(Colours::None);
     let capability = judgement.capability(options.glyphs, options.colours.or(plain));
     let capability = capability.ok_or(Error::Dumb)?;
@@ -200,7 +200,7 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
             .configured(&options.config)
             .looking_at(options.view.unwrap_or_default());
         workbench.app().resize(size, aspect);
-        workbench.app().work_apart();
+        workbench.app().use_background_threads();
         let pictures = judgement.pictures(options.picture);
         workbench.app().send_pictures(pictures);
         if options.idle && options.config.tour && views::has_room(size) {
@@ -315,7 +315,7 @@ impl<T: Console> Session<T> {
         let wakes = self.tty.wait(deadline, bell)?;
         if let Some(drawn) = self.tty.drawn_at().filter(|_| !self.owed) {
             let seen = drawn.saturating_duration_since(self.begun);
-            self.workbench.app().be_seen(seen);
+            self.workbench.app().note_frame_shown(seen);
         }
         if !self.owed && is_room_alone(&wakes) {
             return Ok(None);
@@ -474,7 +474,7 @@ fn is_overtaken(wake: &Wake, next: Option<&Wake>) -> bool {
         matches!(
             wake,
             Wake::Mouse(Mouse {
-                deed: MouseDeed::Drag,
+                deed: MouseEventKind::Drag,
                 ..
             })
         )

@@ -1,7 +1,7 @@
 //! Renders the workbench's screen as text, without a terminal.
 
 use super::{Colours, Opened, Options, Workbench};
-use crate::capability::{Capability, Judgement};
+use crate::capability::{Capability, TerminalProfile};
 use crate::drawing::Glyphs;
 use ratatui::layout::Size;
 
@@ -12,7 +12,7 @@ use ratatui::layout::Size;
 /// would not open there.
 #[must_use]
 pub fn picture(opened: Opened, options: &Options, cols: u16, rows: u16) -> String {
-    let judgement = Judgement::of(|name| std::env::var(name).ok());
+    let judgement = TerminalProfile::of(|name| std::env::var(name).ok());
     // Text has no colours, so the drawing must express them in another form.
     let colours = Colours::None;
     let capability = judgement.capability(options.glyphs, Some(colours));

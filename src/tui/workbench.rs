@@ -148,7 +148,7 @@ impl Workbench {
     /// Returns the bytes that update the terminal from the last frame to this one; empty if they
     /// are equal.
     pub fn paint(&mut self) -> &[u8] {
-        self.app.be_seen(self.now);
+        self.app.note_frame_shown(self.now);
         self.paint_within(usize::MAX)
     }
 
@@ -178,7 +178,7 @@ impl Workbench {
     /// Returns the screen as text, with trailing blanks trimmed.
     pub fn text(&mut self) -> String {
         self.app.catch_up();
-        self.app.be_seen(self.now);
+        self.app.note_frame_shown(self.now);
         self.app.focus();
         views::prepare(&self.app, &mut self.sketch);
         let mut buffer = Buffer::empty(views::area(&self.app));

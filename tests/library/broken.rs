@@ -5,7 +5,7 @@
 use krank::quantity::check_figures;
 use krank::scene::{Diagnostics, Scene};
 use krank::solver::Solver;
-use krank::synthesis::{Synthesis, SynthesisOrder};
+use krank::synthesis::{Synthesis, SynthesisSettings};
 use krank::task_file::{ExampleTask, TaskFile};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -194,7 +194,7 @@ fn extreme_numbers_in_tasks_give_finite_results() {
             ),
         ] {
             if let Ok(file) = TaskFile::parse(&text, "size") {
-                let order = SynthesisOrder {
+                let order = SynthesisSettings {
                     seed: 1,
                     threads: 2,
                 };

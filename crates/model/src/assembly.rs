@@ -10,7 +10,7 @@ use std::str::FromStr;
 
 /// A named choice of an assembly, such as `C=-`.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Wish {
+pub struct AssemblyRequest {
     /// The group's name.
     pub group: String,
     /// The choice.
@@ -19,7 +19,7 @@ pub struct Wish {
 
 /// The error for an invalid choice of an assembly.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum Misread {
+pub enum AssemblyError {
     /// The text does not have the right form.
     #[error("{}", words().how_wishes_are_written())]
     Form,
@@ -47,28 +47,28 @@ pub enum Misread {
     },
 }
 
-impl FromStr for Wish {
-    type Err = Misread;
+impl FromStr for AssemblyRequest {
+    type Err = AssemblyError;
 
-    fn from_str(text: &str) -> Result<Wish, Misread> {
-        let (group, pick) = text.split_once('=').ok_or(Misread::Form)?;
+    fn from_str(text: &str) -> Result<AssemblyRequest, AssemblyError> {
+        let (group, pick) = text.split_once('=').ok_or(AssemblyError::Form)?;
         let pick = match pick.trim() {
             "+" => Pick::Plus,
             "-" => Pick::Minus,
             number => match number.parse() {
                 Ok(n) if n > 0 => Pick::Number(n),
-                _ => return Err(Misread::Form),
+                _ => return Err(AssemblyError::Form),
             },
         };
         let group = group.trim().to_owned();
         if group.is_empty() {
-            return Err(Misread::Form);
+            return Err(AssemblyError::Form);
         }
-        Ok(Wish { group, pick })
+        Ok(AssemblyRequest { group, pick })
     }
 }
 
-impl fmt::Display for Wish {
+impl fmt::Display for AssemblyRequest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}={}", self.group, pick_text(self.pick))
     }
@@ -115,7 +115,11 @@ impl Scene {
     /// # Errors
     /// Returns an error for the first choice that does not fit any group, independent of the
     /// lengths.
-    pub fn picks(&self, plan: &Plan, wishes: &[Wish]) -> Result<Vec<(ElementId, Pick)>, Misread> {
+    pub fn picks(
+        &self,
+        plan: &Plan,
+        wishes: &[AssemblyRequest],
+    ) -> Result<Vec<(ElementId, Pick)>, AssemblyError> {
         let groups = || plan.groups.iter().filter(|g| g.has_choices());
         let mut picks: Vec<(ElementId, Pick)> = Vec::new();
         for wish in wishes {
@@ -124,17 +128,17 @@ impl Scene {
                 let names: Vec<&str> = groups().map(|g| self.group_name(g)).collect();
                 let mend = did_you_mean(&name, names.iter().copied());
                 let mend = mend.unwrap_or_else(|| listed(&names));
-                return Err(Misread::Unknown { name, mend });
+                return Err(AssemblyError::Unknown { name, mend });
             };
             if !suits(wish.pick, group) {
                 let options = options(&name, group);
-                return Err(Misread::Kind { name, options });
+                return Err(AssemblyError::Kind { name, options });
             }
             let Some(element) = group.name() else {
                 continue;
             };
             if picks.iter().any(|(other, _)| *other == element) {
-                return Err(Misread::Twice { name });
+                return Err(AssemblyError::Twice { name });
             }
             picks.push((element, wish.pick));
         }

@@ -19,14 +19,14 @@ mod value;
 
 pub use catalogue::{Catalogue, UnknownColumn};
 pub use clock::Clock;
-pub use curves::{Abscissa, Curve, Curves, Extremum, Here, NoTime};
+pub use curves::{Abscissa, Curve, Curves, Extremum, Here, TimeError};
 pub use derived::Derived;
 pub use formulas::check_figures;
 pub use hidden::{Hidden, Reason};
-pub use leaving::MotionLeaves;
+pub use leaving::MotionOutOfRange;
 pub use sensitivity::length_name;
 pub use sensitivity::{Derivatives, MAX_DERIVATIVES, Sensitivity};
-pub use stand::DriverStand;
+pub use stand::DriverState;
 pub use subject::{Aspect, Share, Subject};
 pub use units::{known_unit, other_units, rate_unit, unit_factor};
 pub use value::{bound, state_word, value};
@@ -44,12 +44,12 @@ pub struct Quantity {
     /// The unit: `mm/s`.
     pub unit: String,
     /// The source of its value.
-    pub source: FigureSource,
+    pub source: QuantitySource,
 }
 
 /// The source of a quantity's value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum FigureSource {
+pub enum QuantitySource {
     /// Computed by the solver: the subject and its aspect.
     Solved(Subject, Aspect),
     /// Computed from other quantities.
@@ -66,8 +66,8 @@ impl Quantity {
     /// Returns the value in this state, which may be infinite or NaN.
     fn found<T: Number>(&self, state: &State<T>) -> Option<T> {
         match &self.source {
-            FigureSource::Solved(subject, aspect) => value::found(*subject, *aspect, state),
-            FigureSource::Derived(derived) => {
+            QuantitySource::Solved(subject, aspect) => value::found(*subject, *aspect, state),
+            QuantitySource::Derived(derived) => {
                 derived.run(|subject, aspect| value::found(subject, aspect, state))
             }
         }
@@ -78,8 +78,8 @@ impl Quantity {
     #[must_use]
     pub fn made_of(&self, find: impl Fn(Subject, Aspect) -> Option<f64>) -> Option<f64> {
         let made = match &self.source {
-            FigureSource::Solved(subject, aspect) => find(*subject, *aspect),
-            FigureSource::Derived(derived) => derived.run(find),
+            QuantitySource::Solved(subject, aspect) => find(*subject, *aspect),
+            QuantitySource::Derived(derived) => derived.run(find),
         };
         made.filter(|v| v.is_finite())
     }
@@ -94,15 +94,15 @@ impl Quantity {
 
     /// Returns `true` if its formula has kinks.
     fn has_sides(&self) -> bool {
-        matches!(&self.source, FigureSource::Derived(derived) if derived.has_sides())
+        matches!(&self.source, QuantitySource::Derived(derived) if derived.has_sides())
     }
 
     /// Returns the steps of its formula that may be at a kink in this state, within the bounds of
     /// their arguments.
     fn kinks(&self, enclosure: &State<Ball>) -> Vec<usize> {
         match &self.source {
-            FigureSource::Solved(..) => Vec::new(),
-            FigureSource::Derived(derived) => {
+            QuantitySource::Solved(..) => Vec::new(),
+            QuantitySource::Derived(derived) => {
                 derived.kinks(|subject, aspect| value::found(subject, aspect, enclosure))
             }
         }
@@ -111,8 +111,8 @@ impl Quantity {
     /// Returns the derivative with these steps of its formula on the other side of their kinks.
     fn slope_beyond(&self, kinks: &[usize], state: &State<Dual>) -> Option<f64> {
         match &self.source {
-            FigureSource::Solved(..) => None,
-            FigureSource::Derived(derived) => {
+            QuantitySource::Solved(..) => None,
+            QuantitySource::Derived(derived) => {
                 let found = |subject, aspect| value::found(subject, aspect, state);
                 derived.beyond(kinks, found).map(|dual| dual.slope)
             }
@@ -123,8 +123,8 @@ impl Quantity {
     #[must_use]
     pub fn subject(&self) -> Option<Subject> {
         match &self.source {
-            FigureSource::Solved(subject, _) => Some(*subject),
-            FigureSource::Derived(derived) => derived.subject(),
+            QuantitySource::Solved(subject, _) => Some(*subject),
+            QuantitySource::Derived(derived) => derived.subject(),
         }
     }
 
@@ -132,25 +132,25 @@ impl Quantity {
     #[must_use]
     pub fn aspect(&self) -> Option<Aspect> {
         match &self.source {
-            FigureSource::Solved(_, aspect) => Some(*aspect),
-            FigureSource::Derived(_) => None,
+            QuantitySource::Solved(_, aspect) => Some(*aspect),
+            QuantitySource::Derived(_) => None,
         }
     }
 
     /// Returns `true` for the driver's coordinate.
     #[must_use]
     pub fn is_driver(&self) -> bool {
-        matches!(self.source, FigureSource::Solved(Subject::Driver, _))
+        matches!(self.source, QuantitySource::Solved(Subject::Driver, _))
     }
 
     /// Returns `true` for a direction, in degrees in [0, 360).
     #[must_use]
     pub fn is_direction(&self) -> bool {
         match &self.source {
-            FigureSource::Solved(subject, aspect) => {
+            QuantitySource::Solved(subject, aspect) => {
                 *aspect == Aspect::Angle && *subject != Subject::Driver
             }
-            FigureSource::Derived(derived) => {
+            QuantitySource::Derived(derived) => {
                 derived.kind().revolution == Some(Revolution::Wrapped)
             }
         }
@@ -159,11 +159,11 @@ impl Quantity {
     /// Returns how it jumps where a direction in it passes a full turn.
     pub(crate) fn cut(&self) -> DirectionCut {
         match &self.source {
-            FigureSource::Solved(subject, aspect) => match aspect.kind(*subject).revolution {
+            QuantitySource::Solved(subject, aspect) => match aspect.kind(*subject).revolution {
                 Some(Revolution::Wrapped | Revolution::Counted) => DirectionCut::ByTurns,
                 None => DirectionCut::Nowhere,
             },
-            FigureSource::Derived(derived) => derived.cut(),
+            QuantitySource::Derived(derived) => derived.cut(),
         }
     }
 
@@ -171,8 +171,8 @@ impl Quantity {
     #[must_use]
     pub fn order(&self) -> Order {
         match &self.source {
-            FigureSource::Solved(_, aspect) => aspect.order(),
-            FigureSource::Derived(derived) => {
+            QuantitySource::Solved(_, aspect) => aspect.order(),
+            QuantitySource::Derived(derived) => {
                 let orders = derived.parts().map(|(_, aspect)| aspect.order());
                 orders.max().unwrap_or(Order::Position)
             }
@@ -182,8 +182,8 @@ impl Quantity {
     /// Returns the solver's values that it depends on: itself, for one computed by the solver.
     fn parts(&self) -> Vec<(Subject, Aspect)> {
         match &self.source {
-            FigureSource::Solved(subject, aspect) => vec![(*subject, *aspect)],
-            FigureSource::Derived(derived) => derived.parts().collect(),
+            QuantitySource::Solved(subject, aspect) => vec![(*subject, *aspect)],
+            QuantitySource::Derived(derived) => derived.parts().collect(),
         }
     }
 
@@ -191,8 +191,12 @@ impl Quantity {
     /// the acceleration for a velocity. Its name and unit remain those of this quantity.
     pub(crate) fn rate(&self) -> Option<Quantity> {
         let source = match &self.source {
-            FigureSource::Solved(subject, aspect) => FigureSource::Solved(*subject, aspect.rate()?),
-            FigureSource::Derived(derived) => FigureSource::Derived(derived.rate().ok()?.into()),
+            QuantitySource::Solved(subject, aspect) => {
+                QuantitySource::Solved(*subject, aspect.rate()?)
+            }
+            QuantitySource::Derived(derived) => {
+                QuantitySource::Derived(derived.rate().ok()?.into())
+            }
         };
         Some(Quantity {
             source,
@@ -205,13 +209,13 @@ impl Quantity {
     /// # Errors
     /// The name of the quantity without a derivative.
     fn differentiated(&self, length: LengthScale) -> Result<Quantity, String> {
-        let FigureSource::Derived(derived) = &self.source else {
+        let QuantitySource::Derived(derived) = &self.source else {
             return Err(self.name.clone());
         };
         let rate = derived.rate()?;
         Ok(Quantity {
             unit: rate.kind().dimension.symbol(length.symbol),
-            source: FigureSource::Derived(rate.into()),
+            source: QuantitySource::Derived(rate.into()),
             ..self.clone()
         })
     }

@@ -1,10 +1,10 @@
 //! Evaluates a proposal by driving it through its task.
 
-use super::defects::{GivenWay, TaskDefect, crank_way};
+use super::defects::{GivenMotion, TaskDefect, crank_motion};
 use super::functions::FunctionRun;
 use super::machine::Machine;
 use super::output_misses::OutputMisses;
-use super::{Partner, PathTask, PoseTask, Proposal, Sense, Task, TaskKind, Wishes};
+use super::{Partner, PathTask, PoseTask, Preferences, Proposal, Sense, Task, TaskKind};
 use kinematics::Vec2;
 use kinematics::angle::{TURN, beside, degrees, unit};
 use kinematics::solver::{Condition, Order, Range};
@@ -29,7 +29,7 @@ pub struct Candidate {
     /// The reasons why the linkage does not do its task; empty if it does.
     pub defects: Vec<TaskDefect>,
     /// The preferences that the linkage does not meet.
-    pub missed: Vec<MissedWish>,
+    pub missed: Vec<UnmetPreference>,
     /// Further values of the linkage.
     pub figures: CandidateFigures,
 }
@@ -58,7 +58,7 @@ pub struct CandidateFigures {
 
 /// A preference that a candidate does not meet.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum MissedWish {
+pub enum UnmetPreference {
     /// The crank does not turn fully.
     FullTurn,
     /// The transmission angle is below the wanted minimum.
@@ -115,7 +115,7 @@ impl Candidate {
             TaskKind::Poses(_) | TaskKind::Path(_) => None,
         };
         let way = given_way(task, &proposal, run.as_ref());
-        let (at, mut defects) = crank_way(&proposal, range, &task.wishes, &way);
+        let (at, mut defects) = crank_motion(&proposal, range, &task.wishes, &way);
         let mut figures = CandidateFigures {
             full_turn: matches!(range, Range::Full { .. }),
             transmission: least_transmission(&proposal, way_ends(task, &at, run.as_ref(), range)),
@@ -317,16 +317,16 @@ impl TaskDrive<'_> {
 }
 
 /// Returns the crank's motion as far as the task gives it.
-fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenWay {
+fn given_way(task: &Task, proposal: &Proposal, run: Option<&FunctionRun>) -> GivenMotion {
     let first = proposal.places.first();
     let begin = first.map_or(0.0, |[b, _]| degrees(*b - proposal.pivot));
     match &task.kind {
-        TaskKind::Poses(_) => GivenWay::default(),
-        TaskKind::Function(task) => GivenWay {
+        TaskKind::Poses(_) => GivenMotion::default(),
+        TaskKind::Function(task) => GivenMotion {
             turned: run.map(|run| task.pairs.iter().map(|[x, _]| run.crank(*x)).collect()),
             closed: false,
         },
-        TaskKind::Path(task) => GivenWay {
+        TaskKind::Path(task) => GivenMotion {
             turned: task
                 .turns
                 .as_ref()
@@ -392,30 +392,33 @@ fn least_transmission(proposal: &Proposal, (low, high): (f64, f64)) -> f64 {
 }
 
 fn missed(
-    wishes: &Wishes,
+    wishes: &Preferences,
     proposal: &Proposal,
     at: &[f64],
     figures: &CandidateFigures,
-) -> Vec<MissedWish> {
+) -> Vec<UnmetPreference> {
     let mut missed = Vec::new();
-    let mut wish = |kept: bool, wish: MissedWish| {
+    let mut wish = |kept: bool, wish: UnmetPreference| {
         if !kept {
             missed.push(wish);
         }
     };
-    wish(!wishes.full_turn || figures.full_turn, MissedWish::FullTurn);
+    wish(
+        !wishes.full_turn || figures.full_turn,
+        UnmetPreference::FullTurn,
+    );
     let least = wishes.transmission.unwrap_or(0.0);
-    wish(figures.transmission >= least, MissedWish::Transmission);
+    wish(figures.transmission >= least, UnmetPreference::Transmission);
     if let Some(corners) = wishes.inside {
         let within = |p: Vec2| is_inside(corners, p);
         let pivot = match proposal.partner {
             Partner::Rocker(d) => within(d),
             Partner::Slide(_) => true,
         };
-        wish(within(proposal.pivot) && pivot, MissedWish::Inside);
+        wish(within(proposal.pivot) && pivot, UnmetPreference::Inside);
     }
     let most = wishes.ratio.unwrap_or(f64::INFINITY);
-    wish(figures.ratio <= most, MissedWish::Ratio);
+    wish(figures.ratio <= most, UnmetPreference::Ratio);
     // If the points have no order, the crank may reach each from either side.
     let sense = wishes.sense.filter(|_| wishes.ordered);
     if let (Some(sense), Some(first), Some(last)) = (sense, at.first(), at.last()) {
@@ -423,7 +426,7 @@ fn missed(
             Sense::CounterClockwise => last >= first,
             Sense::Clockwise => last <= first,
         };
-        wish(turns, MissedWish::Sense);
+        wish(turns, UnmetPreference::Sense);
     }
     missed
 }

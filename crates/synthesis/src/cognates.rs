@@ -113,17 +113,17 @@ fn pins(a: Vec2, [b, c]: [Vec2; 2], ratio: Vec2) -> [Vec2; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::planted::{PlantedDrive, tracer};
-    use kinematics::numeric::SeededChance;
+    use crate::planted::{KnownLinkage, tracer};
+    use kinematics::numeric::SeededRng;
 
     /// Drives each cognate by its own crank with its own lengths: it must draw the points of the
     /// first linkage at every angle.
     #[test]
     fn cognates_draw_same_curve() {
-        let mut chance = SeededChance::new(11);
+        let mut chance = SeededRng::new(11);
         let (mut four_bars, mut sliders) = (0, 0);
         for _ in 0..3000 {
-            let planted = PlantedDrive::random(&mut chance, four_bars > 2 * sliders);
+            let planted = KnownLinkage::random(&mut chance, four_bars > 2 * sliders);
             let turns: Vec<f64> = (0..360).map(f64::from).collect();
             let Some(first) = planted.proposal(&turns) else {
                 continue;
@@ -186,10 +186,10 @@ mod tests {
 
     #[test]
     fn last_four_bar_cognate_keeps_times() {
-        let mut chance = SeededChance::new(5);
+        let mut chance = SeededRng::new(5);
         let turns: Vec<f64> = (0..40).map(|k| 9.0 * f64::from(k)).collect();
         let first = loop {
-            let planted = PlantedDrive::random(&mut chance, false);
+            let planted = KnownLinkage::random(&mut chance, false);
             if let Some(first) = planted.proposal(&turns) {
                 break first;
             }
@@ -207,7 +207,7 @@ mod tests {
     #[test]
     fn tracer_on_pin_has_fewer_cognates() {
         let turns: Vec<f64> = (0..120).map(|k| 3.0 * f64::from(k)).collect();
-        let bar = |arm| PlantedDrive {
+        let bar = |arm| KnownLinkage {
             pivot: Vec2::new(3.0, -1.0),
             far: Partner::Rocker(Vec2::new(7.0, 0.5)),
             crank: 1.0,

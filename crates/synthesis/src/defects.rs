@@ -2,7 +2,7 @@
 //! range of its crank.
 
 use super::way::{self, Way};
-use super::{Partner, Proposal, Wishes};
+use super::{Partner, Preferences, Proposal};
 use kinematics::angle::{degrees, unit};
 use kinematics::solver::Range;
 
@@ -73,7 +73,7 @@ pub(super) fn side(proposal: &Proposal, point: usize) -> f64 {
 
 /// Facts about the crank's motion that the task gives, apart from its preferences.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) struct GivenWay {
+pub(super) struct GivenMotion {
     /// The crank's angle at every point if the task gives it, in degrees, counted continuously.
     pub(super) turned: Option<Vec<f64>>,
     /// Whether the path returns to the first point.
@@ -82,11 +82,11 @@ pub(super) struct GivenWay {
 
 /// Returns the crank's angle at every point in the order of the task, in degrees, and the defects
 /// of this motion.
-pub(super) fn crank_way(
+pub(super) fn crank_motion(
     proposal: &Proposal,
     range: Range,
-    wishes: &Wishes,
-    way: &GivenWay,
+    wishes: &Preferences,
+    way: &GivenMotion,
 ) -> (Vec<f64>, Vec<TaskDefect>) {
     let places = proposal.places.iter();
     let angles: Vec<f64> = places.map(|[b, _]| degrees(*b - proposal.pivot)).collect();

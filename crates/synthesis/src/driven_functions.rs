@@ -1,7 +1,7 @@
 //! Tests of driving linkages with a known solution, against formulas of the tests' own.
 
 use super::{
-    Candidate, FunctionTask, Given, Output, Task, TaskDefect, TaskKind, Wishes,
+    Candidate, FunctionTask, Given, Output, Preferences, Task, TaskDefect, TaskKind,
     functions::FunctionSearch,
 };
 
@@ -54,7 +54,7 @@ impl PlantedRange {
             }),
             four_bars: self.output == Output::Angle,
             slider_cranks: self.output == Output::Slide,
-            wishes: Wishes::default(),
+            wishes: Preferences::default(),
         }
     }
 

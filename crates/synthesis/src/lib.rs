@@ -36,11 +36,11 @@ mod task;
 mod tests;
 mod way;
 
-pub use candidate::{Candidate, CandidateFigures, MissedWish, is_inside};
+pub use candidate::{Candidate, CandidateFigures, UnmetPreference, is_inside};
 pub use defects::TaskDefect;
 pub use paths::PathSearch;
 pub use proposal::{OpenReason, Partner, PosedDyad, Proposal, Proposals};
-pub use run::{Synthesis, SynthesisOrder};
+pub use run::{Synthesis, SynthesisSettings};
 pub use task::{
-    FunctionTask, Given, Output, PathTask, Pose, PoseTask, Sense, Task, TaskKind, Wishes,
+    FunctionTask, Given, Output, PathTask, Pose, PoseTask, Preferences, Sense, Task, TaskKind,
 };

@@ -2,12 +2,12 @@
 //! a line, by the law of cosines.
 
 use super::{Partner, Proposal};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// A linkage, given by its lengths.
 #[derive(Clone, Debug)]
-pub(super) struct PlantedDrive {
+pub(super) struct KnownLinkage {
     pub(super) pivot: Vec2,
     /// The other pivot, or the slide's angle; the slide's line passes A at the distance `rocker`.
     pub(super) far: Partner,
@@ -24,14 +24,14 @@ pub(super) struct PlantedDrive {
     pub(super) across: f64,
 }
 
-impl PlantedDrive {
-    pub(super) fn random(chance: &mut SeededChance, slides: bool) -> PlantedDrive {
+impl KnownLinkage {
+    pub(super) fn random(chance: &mut SeededRng, slides: bool) -> KnownLinkage {
         let mut place = |most: f64| Vec2::new(most * chance.even(), most * chance.even());
         let (pivot, d, arm) = (place(3.0), place(3.0), place(1.5));
         let mut length = || 10_f64.powf(0.5 * chance.even());
         let [crank, coupler, rocker] = [length(), length(), length()];
         let start = 180.0 * chance.even();
-        PlantedDrive {
+        KnownLinkage {
             pivot,
             far: if slides {
                 Partner::Slide(180.0 * chance.even())

@@ -2,15 +2,15 @@
 //! linkage again. Also compares values with the solver's own.
 
 use super::machine::Machine;
-use super::planted::PlantedDrive;
+use super::planted::KnownLinkage;
 use super::poses::{PoseReach, propose};
 use super::*;
 use kinematics::Vec2;
 use kinematics::angle::{degrees, unit};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::solver::{Condition, Order};
 
-const ORDER: SynthesisOrder = SynthesisOrder {
+const ORDER: SynthesisSettings = SynthesisSettings {
     seed: 1,
     threads: 2,
 };
@@ -20,9 +20,9 @@ fn task(kind: TaskKind) -> Task {
         kind,
         four_bars: true,
         slider_cranks: false,
-        wishes: Wishes {
+        wishes: Preferences {
             ordered: true,
-            ..Wishes::default()
+            ..Preferences::default()
         },
     }
 }
@@ -80,11 +80,11 @@ fn comes_back(task: &Task, planted: &Proposal, size: f64, within: f64) {
 }
 
 /// Calls `each` with random four-bars that reach these turns, with and without defects.
-fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&PlantedDrive, &Proposal)) {
-    let mut chance = SeededChance::new(17);
+fn each_planted(count: usize, turns: &[f64], each: &mut dyn FnMut(&KnownLinkage, &Proposal)) {
+    let mut chance = SeededRng::new(17);
     let mut seen = [0, 0];
     while seen[0] + seen[1] < count {
-        let planted = PlantedDrive::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut chance, false);
         let Some(mut proposal) = planted.proposal(turns) else {
             continue;
         };
@@ -152,8 +152,8 @@ fn five_nearly_repeated_poses_recover_linkage() {
 }
 
 /// Returns the function of a known four-bar with its pivots along +x.
-fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
-    let planted = PlantedDrive {
+fn function(planted: &KnownLinkage, turns: &[f64]) -> Option<(FunctionTask, Proposal)> {
+    let planted = KnownLinkage {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         ..planted.clone()
@@ -185,10 +185,10 @@ fn function(planted: &PlantedDrive, turns: &[f64]) -> Option<(FunctionTask, Prop
 
 #[test]
 fn function_pairs_recover_linkage() {
-    let mut chance = SeededChance::new(23);
+    let mut chance = SeededRng::new(23);
     let mut seen = 0;
     while seen < 24 {
-        let planted = PlantedDrive::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut chance, false);
         let Some((function, proposal)) = function(&planted, &[0.0, 35.0, 80.0]) else {
             continue;
         };
@@ -206,7 +206,7 @@ fn function_pairs_recover_linkage() {
 /// turns as the scale says, not the shorter way.
 #[test]
 fn crank_turns_by_its_scale_beyond_half_turn() {
-    let planted = PlantedDrive {
+    let planted = KnownLinkage {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
@@ -260,7 +260,7 @@ fn same_seed_gives_same_synthesis_for_any_thread_count() {
     }));
     for task in [path, poses] {
         let on = |threads: usize| {
-            let order = SynthesisOrder { seed: 5, threads };
+            let order = SynthesisSettings { seed: 5, threads };
             Synthesis::run(&task, order, &mut |_| true)
         };
         let one = on(1);
@@ -302,11 +302,11 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
 
 #[test]
 fn minimum_transmission_angle_matches_sampling() {
-    let mut chance = SeededChance::new(29);
+    let mut chance = SeededRng::new(29);
     let mut seen = [0; 3];
     while seen.iter().any(|seen| *seen < 12) {
         let slides = seen[0] > seen[1];
-        let planted = PlantedDrive::random(&mut chance, slides);
+        let planted = KnownLinkage::random(&mut chance, slides);
         let turns: Vec<f64> = (0..5).map(|k| f64::from(k) * 50.0).collect();
         let turns = if seen[0] % 2 == 0 {
             turns
@@ -342,7 +342,7 @@ fn minimum_transmission_angle_matches_sampling() {
 
 #[test]
 fn misses_are_weighted() {
-    let planted = PlantedDrive {
+    let planted = KnownLinkage {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 0.5,
@@ -374,7 +374,7 @@ fn misses_are_weighted() {
 #[test]
 fn swinging_crank_fails_closed_path() {
     // The coupler is too short for the crank to turn.
-    let planted = PlantedDrive {
+    let planted = KnownLinkage {
         pivot: Vec2::ZERO,
         far: Partner::Rocker(Vec2::new(2.0, 0.0)),
         crank: 1.5,
@@ -408,11 +408,11 @@ fn swinging_crank_fails_closed_path() {
 /// poses. If no linkage within the usual reach does the task, a wider reach is searched.
 #[test]
 fn four_nearby_poses_have_working_linkages() {
-    let mut chance = SeededChance::new(23);
+    let mut chance = SeededRng::new(23);
     let (mut done, mut narrow) = (0, 0);
     let mut seen = 0;
     while seen < 12 {
-        let planted = PlantedDrive::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut chance, false);
         let Some(proposal) = planted.proposal(&[0.0, 2.0, 4.0, 6.0]) else {
             continue;
         };

@@ -12,14 +12,14 @@ use std::cmp::Ordering;
 
 /// Settings of a synthesis run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SynthesisOrder {
+pub struct SynthesisSettings {
     /// The seed of the random numbers, for searches from many starts.
     pub seed: u64,
     /// The number of threads.
     pub threads: usize,
 }
 
-impl SynthesisOrder {
+impl SynthesisSettings {
     /// The default seed.
     pub const USUAL_SEED: u64 = 1;
 }
@@ -48,7 +48,7 @@ impl Synthesis {
     #[must_use]
     pub fn run(
         task: &Task,
-        order: SynthesisOrder,
+        order: SynthesisSettings,
         watch: &mut dyn FnMut(f64) -> bool,
     ) -> Synthesis {
         let proposals = match &task.kind {

@@ -12,7 +12,7 @@ pub struct Task {
     /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
     /// The preferences.
-    pub wishes: Wishes,
+    pub wishes: Preferences,
 }
 
 impl Task {
@@ -146,7 +146,7 @@ pub enum Sense {
 /// Preferences for the linkage, apart from its motion. A candidate that does not meet one reports
 /// it and comes after those that do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Wishes {
+pub struct Preferences {
     /// Whether the crank should turn fully.
     pub full_turn: bool,
     /// The minimum transmission angle over the task, in degrees.

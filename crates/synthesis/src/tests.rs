@@ -59,9 +59,9 @@ impl KnownFourBar {
             }),
             four_bars: true,
             slider_cranks: false,
-            wishes: Wishes {
+            wishes: Preferences {
                 ordered: true,
-                ..Wishes::default()
+                ..Preferences::default()
             },
         };
         let places = found.iter().map(|found| found.0).collect();
@@ -142,7 +142,7 @@ fn branch_defect_is_reported_if_neither_pivot_can_drive() {
     let (task, proposal) = SWINGING.poses(&stops).unwrap();
     let own = Candidate::judge(
         &Task {
-            wishes: Wishes::default(),
+            wishes: Preferences::default(),
             ..task
         },
         &proposal,
@@ -159,7 +159,7 @@ fn turning_back_is_defect_only_if_order_is_wanted() {
     let candidate = Candidate::judge(&task, &proposal);
     assert_eq!(candidate.defects, [TaskDefect::Order { from: 1, to: 2 }]);
     let free = Task {
-        wishes: Wishes::default(),
+        wishes: Preferences::default(),
         ..task
     };
     assert!(Candidate::judge(&free, &proposal).does_it());
@@ -189,7 +189,7 @@ fn unmet_poses_are_reported_as_missed() {
 fn unmet_wanted_properties_are_reported() {
     let stops = [10.0, 70.0, 150.0].map(|at| (at, true));
     let (mut task, proposal) = TURNING.poses(&stops).unwrap();
-    task.wishes = Wishes {
+    task.wishes = Preferences {
         full_turn: true,
         transmission: Some(80.0),
         inside: Some([Vec2::new(0.0, -20.0), Vec2::new(100.0, 100.0)]),
@@ -199,9 +199,9 @@ fn unmet_wanted_properties_are_reported() {
     };
     let candidate = Candidate::judge(&task, &proposal);
     assert!(candidate.does_it());
-    assert!(candidate.missed.contains(&MissedWish::Transmission));
-    assert!(candidate.missed.contains(&MissedWish::Inside));
-    assert!(candidate.missed.contains(&MissedWish::Ratio));
+    assert!(candidate.missed.contains(&UnmetPreference::Transmission));
+    assert!(candidate.missed.contains(&UnmetPreference::Inside));
+    assert!(candidate.missed.contains(&UnmetPreference::Ratio));
 }
 
 #[test]

@@ -34,7 +34,7 @@ pub(super) use tolerance::{BandChoice, ToleranceArgs};
 pub(super) use workbench::{Colour, ThemeChoice};
 pub(super) use workbench::{USUAL_SCENE, WorkbenchArgs};
 
-use crate::assembly::Wish;
+use crate::assembly::AssemblyRequest;
 use crate::report::WrittenDecimal;
 use crate::wording::words;
 use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum, ValueHint};
@@ -218,7 +218,7 @@ impl PlaceArgs {
 pub(super) struct AssemblyArgs {
     #[arg(help = words().assembly_of_group())]
     #[arg(long = "assembly", value_name = "GROUP=CHOICE", value_delimiter = ',')]
-    pub(super) wishes: Vec<Wish>,
+    pub(super) wishes: Vec<AssemblyRequest>,
 }
 
 #[derive(Debug, Args)]

@@ -1,7 +1,7 @@
 //! From a motion that is wanted to linkages.
 
 use super::{CsvArgs, OutputFormat};
-use crate::synthesis::SynthesisOrder;
+use crate::synthesis::SynthesisSettings;
 use crate::wording::words;
 use clap::Args;
 use std::path::PathBuf;
@@ -14,7 +14,7 @@ pub(in crate::cli) struct SynthesizeArgs {
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=1000))]
     pub(in crate::cli) top: u16,
     #[arg(help = words().seed_of_search())]
-    #[arg(long, value_name = "N", default_value_t = SynthesisOrder::USUAL_SEED)]
+    #[arg(long, value_name = "N", default_value_t = SynthesisSettings::USUAL_SEED)]
     pub(in crate::cli) seed: u64,
     #[arg(help = words().tolerance_of_candidates())]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]

@@ -36,7 +36,7 @@ use crate::Vec2;
 use crate::drawing::Glyphs;
 use crate::drawing::figure::Role;
 use crate::drawing::roles::{link_of, link_roles};
-use crate::quantity::{Abscissa, Aspect, Curves, FigureSource, Quantity, Subject};
+use crate::quantity::{Abscissa, Aspect, Curves, Quantity, QuantitySource, Subject};
 
 /// Curves against an axis, in panels.
 #[derive(Clone, Debug, PartialEq)]
@@ -470,7 +470,7 @@ fn is_true(curves: &Curves) -> bool {
     let is_place = |quantity: &Quantity| {
         matches!(
             quantity.source,
-            FigureSource::Solved(Subject::Point(_), Aspect::X | Aspect::Y)
+            QuantitySource::Solved(Subject::Point(_), Aspect::X | Aspect::Y)
         )
     };
     match &curves.abscissa {

@@ -5,7 +5,7 @@
 //! that fixed parts do not move between two steps. Both are rounded independently: steps that
 //! depend on each other would make the window shake.
 
-use super::super::poses::PoseRoom;
+use super::super::poses::PoseExtents;
 use super::{Margin, Reach, WorldView};
 use crate::Vec2;
 
@@ -91,7 +91,7 @@ fn nearer(reach: &Reach, size: WindowSize) -> Option<f64> {
 }
 
 /// Returns the window on extents interpolated by `nearer` between the whole motion and the pose.
-fn near(reach: &Reach, room: PoseRoom, nearer: f64, size: WindowSize) -> WorldView {
+fn near(reach: &Reach, room: PoseExtents, nearer: f64, size: WindowSize) -> WorldView {
     let WindowSize { cols, rows, aspect } = size;
     let [columns, lines] = [cols, rows].map(|cells| f64::from((cells / STEPS_ACROSS).max(1)));
     let whole = reach.bounds();

@@ -91,7 +91,7 @@ pub struct AnsweredRow {
 
 /// A cell of the file that could not be interpreted, or a row whose name the scene does not have.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct StrangeCell {
+pub struct InvalidCell {
     /// The line of the file, from 1.
     pub line: u64,
     /// The name in the row.
@@ -204,7 +204,7 @@ impl AnswerFile {
 
     /// Returns unknown or unsuitable units, in their own cells or after the numbers.
     #[must_use]
-    pub fn strange_units(&self, key: &AnswerKey) -> Vec<StrangeCell> {
+    pub fn strange_units(&self, key: &AnswerKey) -> Vec<InvalidCell> {
         let figures = key.figures.iter().map(|figure| &figure.quantity);
         let strange = figures.filter_map(|quantity| {
             let row = self.row(&quantity.name)?;
@@ -216,7 +216,7 @@ impl AnswerFile {
 
     /// Returns rows whose name is not a value of the key.
     #[must_use]
-    pub fn strangers(&self, key: &AnswerKey) -> Vec<StrangeCell> {
+    pub fn strangers(&self, key: &AnswerKey) -> Vec<InvalidCell> {
         let is_known = |name: &str| key.figures.iter().any(|f| f.quantity.name == name);
         let strange = self.answers.iter().filter(|row| !is_known(&row.figure));
         strange.map(|row| row.strange(row.answer.clone())).collect()
@@ -224,7 +224,7 @@ impl AnswerFile {
 
     /// Returns answers superseded by a later answer to the same value.
     #[must_use]
-    pub fn repeated(&self) -> Vec<StrangeCell> {
+    pub fn repeated(&self) -> Vec<InvalidCell> {
         let answered = || self.answers.iter().filter(|row| !row.answer.is_empty());
         let is_repeated = |(number, row): &(usize, &AnsweredRow)| {
             let mut later = answered().skip(number + 1);
@@ -238,7 +238,7 @@ impl AnswerFile {
 
     /// Returns answers that are not numbers.
     #[must_use]
-    pub fn unreadable(&self, key: &AnswerKey) -> Vec<StrangeCell> {
+    pub fn unreadable(&self, key: &AnswerKey) -> Vec<InvalidCell> {
         let rows = key
             .figures
             .iter()
@@ -263,8 +263,8 @@ impl AnsweredRow {
         self.figure.contains('.') || self.answer.contains(|c: char| c.is_ascii_digit())
     }
 
-    fn strange(&self, text: String) -> StrangeCell {
-        StrangeCell {
+    fn strange(&self, text: String) -> InvalidCell {
+        InvalidCell {
             line: self.line,
             figure: self.figure.clone(),
             text,

@@ -1,6 +1,6 @@
 //! Formats the results of a class: a row for each student.
 
-use super::blank::StrangeCell;
+use super::blank::InvalidCell;
 use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
 use crate::page::{Page, Table};
 use crate::report::csv_dialect::{CsvDialect, CsvSheet};
@@ -85,7 +85,7 @@ pub fn class_csv(
 }
 
 /// Lists cells of an answer file in one cell, as `line figure: text` separated by semicolons.
-fn in_cell(cells: &[StrangeCell]) -> String {
+fn in_cell(cells: &[InvalidCell]) -> String {
     let listed = cells
         .iter()
         .map(|cell| format!("{} {}: {}", cell.line, cell.figure, cell.text));

@@ -1,6 +1,6 @@
 //! Grades the answers of one student.
 
-use super::blank::{AnswerFile, StrangeCell};
+use super::blank::{AnswerFile, InvalidCell};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
 use crate::report::number::{direction, significant};
@@ -32,13 +32,13 @@ pub struct GradedAnswers {
 #[derive(Clone, Debug, Default)]
 pub struct FileRemarks {
     /// Rows whose name is not a value of the scene.
-    pub strangers: Vec<StrangeCell>,
+    pub strangers: Vec<InvalidCell>,
     /// Unknown or unsuitable units.
-    pub strange_units: Vec<StrangeCell>,
+    pub strange_units: Vec<InvalidCell>,
     /// Answers that are not numbers.
-    pub unreadable: Vec<StrangeCell>,
+    pub unreadable: Vec<InvalidCell>,
     /// Answers superseded by a later row.
-    pub repeated: Vec<StrangeCell>,
+    pub repeated: Vec<InvalidCell>,
     /// The encoding of the file.
     pub encoding: TextEncoding,
 }
@@ -90,13 +90,13 @@ impl FileRemarks {
 
     /// Returns the problems as sentences, one for each kind.
     pub(super) fn sentences(&self) -> Vec<String> {
-        let listed = |cells: &[StrangeCell]| {
+        let listed = |cells: &[InvalidCell]| {
             let cells: Vec<String> = cells.iter().map(in_words).collect();
             cells.join(", ")
         };
         let of_encoding = (self.encoding == TextEncoding::Windows1254)
             .then(|| words().decoded_as(self.encoding.name()));
-        let kinds: [(&[StrangeCell], SayOfCells); 4] = [
+        let kinds: [(&[InvalidCell], SayOfCells); 4] = [
             (&self.strange_units, |units| words().strange_units(units)),
             (&self.unreadable, |answers| words().answers_unread(answers)),
             (&self.repeated, |answers| words().answered_again(answers)),
@@ -110,8 +110,8 @@ impl FileRemarks {
 
 type SayOfCells = fn(&str) -> String;
 
-fn in_words(cell: &StrangeCell) -> String {
-    let StrangeCell { line, figure, text } = cell;
+fn in_words(cell: &InvalidCell) -> String {
+    let InvalidCell { line, figure, text } = cell;
     words().cell_of_line(*line, &shortened(figure), &shortened(text))
 }
 

@@ -8,7 +8,7 @@ mod row_names;
 mod sheet;
 
 pub use asked::answer_key;
-pub use blank::{AnswerFile, AnsweredRow, NoAnswers, StrangeCell, blank_answers, is_blank};
+pub use blank::{AnswerFile, AnsweredRow, InvalidCell, NoAnswers, blank_answers, is_blank};
 pub use class::{class_csv, class_page, named_again};
 pub use graded::{FileRemarks, GradedAnswers, GradedFigure};
 

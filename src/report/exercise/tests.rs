@@ -673,7 +673,7 @@ fn verdict_of(graded: &GradedAnswers, name: &str) -> FigureVerdict {
     all.find(|f| f.quantity.name == name).unwrap().verdict
 }
 
-fn cells(cells: &[StrangeCell]) -> Vec<(u64, &str, &str)> {
+fn cells(cells: &[InvalidCell]) -> Vec<(u64, &str, &str)> {
     let cells = cells.iter();
     cells
         .map(|c| (c.line, c.figure.as_str(), c.text.as_str()))
@@ -865,7 +865,7 @@ fn every_misread_value_costs_one_point() {
 #[test]
 fn unrelated_mistakes_are_not_a_misread_value() {
     let key = key("four-bar", &[]);
-    let mut chance = crate::numeric::SeededChance::new(5);
+    let mut chance = crate::numeric::SeededRng::new(5);
     let mut points = 0;
     for _ in 0..20 {
         let rows = key.figures.iter().map(|f| {
@@ -886,7 +886,7 @@ fn unrelated_mistakes_are_not_a_misread_value() {
 fn two_unrelated_mistakes_are_rarely_a_misread_value() {
     let key = key("four-bar", &[]);
     let last = u32::try_from(key.figures.len() - 1).unwrap();
-    let mut chance = crate::numeric::SeededChance::new(7);
+    let mut chance = crate::numeric::SeededRng::new(7);
     let mut explained = 0;
     for _ in 0..100 {
         let wrong = [chance.between(0, last), chance.between(0, last)];

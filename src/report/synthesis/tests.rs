@@ -1,12 +1,12 @@
 //! Tests reports on poses without a linkage, and on the curves of four poses.
 
 use super::SynthesisReport;
-use crate::synthesis::{Synthesis, SynthesisOrder};
+use crate::synthesis::{Synthesis, SynthesisSettings};
 use crate::task_file::TaskFile;
 use crate::wording::Language;
 use serde_json::Value;
 
-const ORDER: SynthesisOrder = SynthesisOrder {
+const ORDER: SynthesisSettings = SynthesisSettings {
     seed: 1,
     threads: 2,
 };

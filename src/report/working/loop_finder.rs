@@ -30,7 +30,7 @@ struct Edge {
 }
 
 /// Builds the polygons of a scene.
-struct Surveyor<'a> {
+struct LoopBuilder<'a> {
     scene: &'a Scene,
     locks: Locks,
     sides: Vec<Side>,
@@ -46,7 +46,7 @@ struct Surveyor<'a> {
 impl Polygon {
     /// Finds the polygons of a scene.
     pub(super) fn of(scene: &Scene, plan: &Plan) -> Polygon {
-        let mut surveyor = Surveyor::new(scene);
+        let mut surveyor = LoopBuilder::new(scene);
         let mut loops = Vec::new();
         for edge in surveyor.ordered_edges(plan) {
             if let Some(path) = surveyor.path(edge.point, edge.body) {
@@ -72,11 +72,11 @@ impl Polygon {
     }
 }
 
-impl<'a> Surveyor<'a> {
+impl<'a> LoopBuilder<'a> {
     fn new(scene: &'a Scene) -> Self {
         let mechanism = &scene.mechanism;
         let nodes = mechanism.links().len() + 1 + mechanism.points().len();
-        let mut surveyor = Surveyor {
+        let mut surveyor = LoopBuilder {
             scene,
             locks: Locks::of(mechanism),
             sides: Vec::new(),

@@ -100,7 +100,7 @@ pub(super) fn places(context: &Context<'_>) -> Vec<usize> {
 }
 
 /// Writes a velocity or acceleration of a point by its components.
-struct Scribe<'a> {
+struct VectorFormatter<'a> {
     context: &'a Context<'a>,
     /// The symbol: `v` or `a`.
     figure: &'static str,
@@ -110,7 +110,7 @@ struct Scribe<'a> {
     size: f64,
 }
 
-impl Scribe<'_> {
+impl VectorFormatter<'_> {
     /// Formats a vector with its symbol, by magnitude and direction.
     fn polar(&self, symbol: impl Into<String>, v: Vec2) -> [String; 2] {
         [symbol.into(), self.told(v.norm(), v)]
@@ -270,7 +270,7 @@ impl OnLink<'_> {
         let w = state.omega(self.link);
         let turning = self.e.perp() * w;
         let (v, base) = (state.velocity(self.point), state.velocity(self.base));
-        let scribe = Scribe {
+        let scribe = VectorFormatter {
             context: self.context,
             figure: "v",
             order: 1,
@@ -302,7 +302,7 @@ impl OnLink<'_> {
             state.acceleration(self.base),
         );
         let parts = tangential.norm().max(normal.norm());
-        let scribe = Scribe {
+        let scribe = VectorFormatter {
             context: self.context,
             figure: "a",
             order: 2,
@@ -413,7 +413,7 @@ fn on_guide(
         ..
     } = state.travel(slide);
     let (v, a) = (state.velocity(point), state.acceleration(point));
-    let scribe = |figure, order, size| Scribe {
+    let scribe = |figure, order, size| VectorFormatter {
         context,
         figure,
         order,

@@ -9,7 +9,7 @@ impl App {
     /// Lists the assemblies next to the drawing and pauses playback.
     pub(super) fn list_assemblies(&mut self) {
         self.player.playback.pause();
-        match self.player.open_scene.look_around() {
+        match self.player.open_scene.compute_assemblies() {
             Some(assembly_list) => {
                 self.shell.mode = Mode::Assemblies(assembly_list.first());
                 self.look(View::Motion);

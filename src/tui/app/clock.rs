@@ -27,7 +27,7 @@ impl App {
         }
         self.player.follow(now);
         self.look_at_file(now, false);
-        self.take_in(now);
+        self.drain_results(now);
     }
 
     /// Measures the cost of solving a state, if that is worthwhile.

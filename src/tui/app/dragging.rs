@@ -5,7 +5,7 @@
 //! coordinates on the link or by the link's length.
 
 use super::App;
-use super::pointing::Gripped;
+use super::pointing::DragTarget;
 use crate::mechanism::CoordinateAxis;
 use crate::scene::{Measure, Scene, Value};
 use crate::solver::State;
@@ -144,12 +144,12 @@ impl App {
         let named = |(name, _): &(String, _)| editor.named(name);
         let mut values = typed.values.iter().filter_map(named);
         if let Some(value) = values.find(|value| value.formula.is_some()).cloned() {
-            self.say_what_it_follows_from(&value);
+            self.report_dependencies(&value);
             return;
         }
         // The cursor may already have been on this value.
         editor.history.part();
-        self.shell.grip = Gripped::Point(typed);
+        self.shell.grip = DragTarget::Point(typed);
     }
 
     /// Moves a point's values to the mouse position, in multiples of the editor's step.

@@ -44,7 +44,7 @@ impl App {
         }
         match value.typed(typed) {
             Ok(text) => {
-                if self.put_by(&value, text.clone())
+                if self.stage_edit(&value, text.clone())
                     || self.put(&value, text, Deed::Other(value.name.clone()), now)
                 {
                     self.shell.mode = Mode::Normal;
@@ -64,11 +64,11 @@ impl App {
         let waiting = gathered.and_then(|gathered| gathered.text(&value.name));
         let waiting = waiting.map(|text| value.with_text(text));
         let from = waiting.as_ref().unwrap_or(&value);
-        if from.formula.is_none() && self.put_by(&value, from.moved(by)) {
+        if from.formula.is_none() && self.stage_edit(&value, from.moved(by)) {
             return;
         }
         if value.formula.is_some() {
-            self.say_what_it_follows_from(&value);
+            self.report_dependencies(&value);
             return;
         }
         self.put(
@@ -81,7 +81,7 @@ impl App {
 
     /// Reports the formula and parameters that determine a value, because the value itself cannot
     /// be moved.
-    pub(super) fn say_what_it_follows_from(&mut self, value: &Value) {
+    pub(super) fn report_dependencies(&mut self, value: &Value) {
         let Some(formula) = &value.formula else {
             return;
         };

@@ -54,7 +54,7 @@ impl App {
     }
 
     /// Reports the outcome of sending an image.
-    pub(crate) fn tell_of_still(&mut self, message: String) {
+    pub(crate) fn report_image(&mut self, message: String) {
         self.shell.say(message);
     }
 

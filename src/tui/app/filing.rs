@@ -3,8 +3,8 @@
 use super::{App, Effect, Mode, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
-use crate::tui::document::clerk::Client;
-use crate::tui::document::disk::{News, SeenFile, unmarked};
+use crate::tui::document::clerk::JobOwner;
+use crate::tui::document::disk::{FileStatus, SeenFile, unmarked};
 use crate::tui::document::history::Deed;
 use crate::tui::document::opening;
 use crate::tui::{Opened, Origin};
@@ -13,7 +13,7 @@ use std::io;
 use std::path::Path;
 use std::time::Duration;
 
-impl Client for App {
+impl JobOwner for App {
     fn fail(&mut self, error: &io::Error) {
         self.document.storing = false;
         self.shell.say(error.to_string());
@@ -23,13 +23,13 @@ impl Client for App {
 impl App {
     /// Handles the results of finished file operations and returns the resulting effect.
     pub(crate) fn attend(&mut self, now: Duration) -> Effect {
-        self.take_in(now);
+        self.drain_results(now);
         self.settle(Effect::Show)
     }
 
     /// Handles the results of finished file operations where the caller cannot quit the program. A
     /// pending quit is left to the next call that can.
-    pub(super) fn take_in(&mut self, now: Duration) {
+    pub(super) fn drain_results(&mut self, now: Duration) {
         while let Some(then) = self.clerk.next() {
             then(self, now);
         }
@@ -85,17 +85,17 @@ impl App {
             return;
         };
         match news {
-            News::Written(bytes) if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {
-            }
-            News::Written(_) if self.is_changed() => {
+            FileStatus::Written(bytes)
+                if unmarked(&bytes) == self.document.editor.saved().as_bytes() => {}
+            FileStatus::Written(_) if self.is_changed() => {
                 let key = |action| self.shell.keymap.told(action);
                 let [reload, elsewhere] = [Action::Reload, Action::SaveAs].map(key);
                 self.shell
                     .say(words().file_changed(&name, &reload, &elsewhere));
             }
-            News::Written(bytes) => self.read_in(&bytes, &name, now),
-            News::Gone => self.tell_gone(&name),
-            News::Unreadable(error) => {
+            FileStatus::Written(bytes) => self.read_in(&bytes, &name, now),
+            FileStatus::Gone => self.report_missing(&name),
+            FileStatus::Unreadable(error) => {
                 self.shell.say(words().name_cannot_be_read(&name, &error));
             }
         }
@@ -108,29 +108,29 @@ impl App {
             return;
         };
         self.clerk.give(move || {
-            let news = News::of(&path);
+            let news = FileStatus::of(&path);
             Box::new(move |app, now| app.reread(news, over, now))
         });
     }
 
-    fn reread(&mut self, news: News, over: bool, now: Duration) {
+    fn reread(&mut self, news: FileStatus, over: bool, now: Duration) {
         let Some(name) = self.document.file_name() else {
             return;
         };
         match news {
-            News::Written(_) if self.is_changed() && !over => {
+            FileStatus::Written(_) if self.is_changed() && !over => {
                 self.ask_about_edits(Unsaved::Reload);
             }
-            News::Written(bytes) => self.read_in(&bytes, &name, now),
+            FileStatus::Written(bytes) => self.read_in(&bytes, &name, now),
             // A deleted file does not endanger the edits.
-            News::Gone => self.tell_gone(&name),
-            News::Unreadable(error) => {
+            FileStatus::Gone => self.report_missing(&name),
+            FileStatus::Unreadable(error) => {
                 self.shell.say(words().name_cannot_be_read(&name, &error));
             }
         }
     }
 
-    fn tell_gone(&mut self, name: &str) {
+    fn report_missing(&mut self, name: &str) {
         let key = self.shell.keymap.told(Action::Save);
         self.shell.say(words().file_is_gone(name, &key));
     }

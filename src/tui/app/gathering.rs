@@ -39,7 +39,7 @@ impl App {
     }
 
     /// Stages another text for a value. Returns `false` if no staging is active.
-    pub(super) fn put_by(&mut self, value: &Value, text: String) -> bool {
+    pub(super) fn stage_edit(&mut self, value: &Value, text: String) -> bool {
         let Some(gathered) = &mut self.document.editor.gathered else {
             return false;
         };
@@ -49,7 +49,7 @@ impl App {
     }
 
     /// Restores the staged edits of an earlier session and opens the scene view.
-    pub(super) fn let_wait(&mut self, edits: GatheredEdits) {
+    pub(super) fn restore_staged(&mut self, edits: GatheredEdits) {
         if edits.is_empty() {
             return;
         }

@@ -20,7 +20,7 @@ const DECIMALS: usize = 3;
 
 /// A parsed request for designs that meet goals, with its typed text.
 #[derive(Clone, Debug)]
-pub(crate) struct GoalWish {
+pub(crate) struct GoalRequest {
     pub(super) typed: String,
     pub(super) goals: Vec<Goal>,
     pub(super) axes: Vec<PlanAxis>,
@@ -38,14 +38,14 @@ pub(super) struct GoalFinding {
 /// A search for designs and its result.
 #[derive(Debug)]
 pub(crate) struct GoalRun {
-    pub(super) wish: GoalWish,
+    pub(super) wish: GoalRequest,
     progress: Arc<SearchProgress>,
     found: Option<GoalFinding>,
     /// The index of the selected design.
     cursor: usize,
 }
 
-impl GoalWish {
+impl GoalRequest {
     /// Searches designs on a number of threads. This may take long.
     pub(super) fn search(&self, threads: usize, progress: &SearchProgress) -> GoalFinding {
         let figures = self.goals.iter().map(|goal| goal.figure.clone());
@@ -66,7 +66,7 @@ impl GoalWish {
 
 impl GoalRun {
     /// Creates a run whose search has not finished.
-    pub(super) fn new(wish: GoalWish) -> GoalRun {
+    pub(super) fn new(wish: GoalRequest) -> GoalRun {
         GoalRun {
             wish,
             progress: Arc::default(),

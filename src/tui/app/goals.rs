@@ -1,6 +1,6 @@
 //! Finds values of the scene that meet typed goals and applies a chosen solution as one edit.
 
-use super::goal_run::{GoalRun, GoalWish};
+use super::goal_run::{GoalRequest, GoalRun};
 use super::{App, Effect, Mode};
 use crate::parallel;
 use crate::quantity::Catalogue;
@@ -51,7 +51,7 @@ impl App {
                 }
             })
         });
-        self.take_in(self.now);
+        self.drain_results(self.now);
     }
 
     /// Handles the end of a search: applies a single design, lets the user choose among several, or
@@ -118,7 +118,7 @@ impl App {
 
     /// Parses goals separated by `;`, with the values to vary after `by`. Without `by`, the value
     /// under the cursor is varied.
-    fn wish(&self, typed: &str) -> Result<GoalWish, String> {
+    fn wish(&self, typed: &str) -> Result<GoalRequest, String> {
         let (goals, names) = match typed.split_once(" by ") {
             Some((goals, names)) => (goals, Some(names)),
             None => (typed, None),
@@ -135,7 +135,7 @@ impl App {
         let axes = names.split(',').map(str::parse::<PlanAxis>);
         let axes = axes.collect::<Result<Vec<_>, _>>();
         let axes = axes.map_err(|why| why.to_string())?;
-        Ok(GoalWish {
+        Ok(GoalRequest {
             typed: typed.to_owned(),
             goals: goals.map_err(|why| why.to_string())?,
             space: DesignSpace::of_axes(open_scene.scene(), open_scene.solver(), &axes)?,

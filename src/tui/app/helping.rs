@@ -23,14 +23,14 @@ impl App {
     }
 
     /// Wraps the shown topic to the screen's width.
-    pub(super) fn lay_out_help(&mut self) {
+    pub(super) fn relayout_help(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode {
             help.lay_out(self.shell.size.width, &self.shell.keymap);
         }
     }
 
     /// Handles a key of the search line. Returns `None` for keys with the same meaning everywhere.
-    pub(super) fn search_help(&mut self, key: Key) -> Option<Effect> {
+    pub(super) fn handle_search_key(&mut self, key: Key) -> Option<Effect> {
         let (columns, keymap) = (self.shell.size.width, &self.shell.keymap);
         let Mode::Help(help) = &mut self.shell.mode else {
             return None;

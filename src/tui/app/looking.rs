@@ -42,12 +42,12 @@ impl App {
         if view != before {
             self.found = None;
         }
-        self.attend_to_panes();
+        self.update_needs();
     }
 
     /// Computes the data for the visible views, and only that. A study starts when its view is first
     /// visible.
-    pub(super) fn attend_to_panes(&mut self) {
+    pub(super) fn update_needs(&mut self) {
         let needs: Vec<Need> = self
             .standing()
             .iter()
@@ -115,7 +115,7 @@ impl App {
     pub(super) fn rearrange(&mut self) {
         let (view, size) = (self.shell.view, self.shell.size);
         self.shell.composition.keep(view, size);
-        self.attend_to_panes();
+        self.update_needs();
         self.lay_out();
     }
 
@@ -135,7 +135,7 @@ impl App {
         self.guess.clear();
         self.found = None;
         self.shell.scroll[View::Accuracy as usize] = 0;
-        self.attend_to_panes();
+        self.update_needs();
     }
 
     /// Asks for the initial guess of the watched method.
@@ -187,8 +187,8 @@ impl App {
     }
 
     /// Records that a frame has shown the current prompt and message.
-    pub(crate) fn be_seen(&mut self, now: Duration) {
-        if views::has_words(self.shell.size) {
+    pub(crate) fn note_frame_shown(&mut self, now: Duration) {
+        if views::fits_text(self.shell.size) {
             self.shell.show_question(now);
             self.shell.show_message(now);
         }
@@ -221,7 +221,7 @@ impl App {
 
     /// Scrolls the topmost list or text, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
-        self.lay_out_help();
+        self.relayout_help();
         let most = match self.shell.mode {
             Mode::Assemblies(_) => {
                 let list = self.player.open_scene.assembly_list();

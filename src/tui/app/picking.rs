@@ -87,7 +87,7 @@ impl App {
                 let preview = Preview::of(&place, &original);
                 Box::new(move |app, _| app.previews.put(&place, preview))
             });
-            self.take_in(self.now);
+            self.drain_results(self.now);
         }
     }
 

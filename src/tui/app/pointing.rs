@@ -3,7 +3,7 @@
 use super::dragging::TypedPlace;
 use super::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
-use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::figures::cursor::Cursor;
 use crate::tui::views::{PaneSpot, Under};
 use crate::wording::words;
@@ -17,7 +17,7 @@ const REACH: f64 = 1.5;
 
 /// The object that the pressed button drags.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(super) enum Gripped {
+pub(super) enum DragTarget {
     #[default]
     Nothing,
     /// The driver, with the lead of its coordinate over the mouse's. The viewport may follow the
@@ -59,14 +59,14 @@ impl App {
 
     fn act(&mut self, mouse: Mouse, under: Under, now: Duration) -> Effect {
         match (mouse.deed, under) {
-            (MouseDeed::WheelUp, under) => return self.roll(-WHEEL, &under, now),
-            (MouseDeed::WheelDown, under) => return self.roll(WHEEL, &under, now),
+            (MouseEventKind::WheelUp, under) => return self.roll(-WHEEL, &under, now),
+            (MouseEventKind::WheelDown, under) => return self.roll(WHEEL, &under, now),
             // A release ends the drag, even if another mode has opened meanwhile.
-            (MouseDeed::Release, _) => self.let_go(),
+            (MouseEventKind::Release, _) => self.let_go(),
             // Lists and prompts take keys only.
             _ if self.shell.mode != Mode::Normal => {}
-            (MouseDeed::Press, under) => self.press(under, now),
-            (MouseDeed::Drag, under) => self.drag(&under, now),
+            (MouseEventKind::Press, under) => self.press(under, now),
+            (MouseEventKind::Drag, under) => self.drag(&under, now),
         }
         Effect::Show
     }
@@ -125,12 +125,12 @@ impl App {
                     Some(PaneSpot::Value(row)) => self.document.editor.go_to(row),
                     Some(PaneSpot::Along(at)) => {
                         self.pause(now);
-                        self.shell.grip = Gripped::Course;
+                        self.shell.grip = DragTarget::Course;
                         self.lead_to(at, now);
                     }
                     Some(PaneSpot::Time(time)) => {
                         self.pause(now);
-                        self.shell.grip = Gripped::Course;
+                        self.shell.grip = DragTarget::Course;
                         self.player.lead_to_time(time, now);
                     }
                 }
@@ -140,16 +140,16 @@ impl App {
 
     fn drag(&mut self, under: &Under, now: Duration) {
         match (self.shell.grip.clone(), under) {
-            (Gripped::Driver(ahead), Under::Drawing(_, seen)) => {
+            (DragTarget::Driver(ahead), Under::Drawing(_, seen)) => {
                 self.drag_driver(ahead, seen.place, now);
             }
-            (Gripped::Point(typed), Under::Drawing(_, seen)) => {
+            (DragTarget::Point(typed), Under::Drawing(_, seen)) => {
                 self.drag_point(&typed, seen.place, now);
             }
-            (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
+            (DragTarget::Course, &Under::Pane(View::Plots, Some(PaneSpot::Along(at)))) => {
                 self.lead_to(at, now);
             }
-            (Gripped::Course, &Under::Pane(View::Plots, Some(PaneSpot::Time(time)))) => {
+            (DragTarget::Course, &Under::Pane(View::Plots, Some(PaneSpot::Time(time)))) => {
                 self.player.lead_to_time(time, now);
             }
             _ => {}
@@ -158,7 +158,7 @@ impl App {
 
     /// Ends a mouse drag.
     pub(super) fn let_go(&mut self) {
-        self.shell.grip = Gripped::Nothing;
+        self.shell.grip = DragTarget::Nothing;
         self.viewport.lens.let_go();
     }
 
@@ -179,7 +179,7 @@ impl App {
     fn take_driver(&mut self, place: Vec2) {
         let at = self.player.open_scene.at();
         if let Some(pointed) = self.pointed_at(place) {
-            self.shell.grip = Gripped::Driver(at - pointed);
+            self.shell.grip = DragTarget::Driver(at - pointed);
         }
     }
 

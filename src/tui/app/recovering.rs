@@ -7,7 +7,7 @@ use crate::tui::commands::key::Key;
 use crate::tui::document::Kept;
 use crate::tui::document::edited;
 use crate::tui::document::history::Deed;
-use crate::tui::document::recovery::{self, KeptEdits, Others, Recovery};
+use crate::tui::document::recovery::{self, Others, Recovery, UnsavedEdits};
 use crate::tui::views::offer::list::Offer;
 use crate::wording::words;
 use std::path::Path;
@@ -105,7 +105,7 @@ impl App {
         // The restored edits may have been undone.
         self.document.older &= self.is_changed();
         let waiting = self.document.editor.gathered.clone().unwrap_or_default();
-        let edits = KeptEdits { text, waiting };
+        let edits = UnsavedEdits { text, waiting };
         let edits = self
             .has_edits()
             .then(|| (edits, self.document.editor.saved().to_owned()));
@@ -149,7 +149,7 @@ impl App {
 
     /// Handles a key while edits are offered. Returns `None` for keys with the same meaning
     /// everywhere. Keys typed before the offer was readable are ignored.
-    pub(super) fn offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
+    pub(super) fn handle_offer_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         let (page, is_readable) = (self.page(), self.shell.can_be_answered(now));
         let Mode::Recovery(offer) = &mut self.shell.mode else {
             return None;
@@ -213,7 +213,7 @@ impl App {
                     true => words().older_edits_are_back(&key),
                     false => words().edits_are_back(&key),
                 });
-                self.let_wait(found.edits.waiting);
+                self.restore_staged(found.edits.waiting);
             }
             Err(why) => self.shell.say(words().edits_cannot_be_shown(&why)),
         }

@@ -6,7 +6,7 @@ use crate::tui::commands::action::TablesAction;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::figures::cursor::{self, Cursor};
-use crate::tui::figures::search::{self, FoundLine, NameSearch, Whence};
+use crate::tui::figures::search::{self, FoundLine, NameSearch, SearchOrigin};
 use crate::tui::figures::sheet;
 use crate::tui::views::motion::followed;
 use crate::wording::words;
@@ -15,13 +15,13 @@ impl App {
     /// Opens the search line, in the views that have rows or lines.
     pub(super) fn search(&mut self) {
         let from = match self.shell.view.pane().list() {
-            Listing::Figures => Whence::Tables(self.cursor),
-            Listing::Values => Whence::Scene(self.document.editor.cursor()),
+            Listing::Figures => SearchOrigin::Tables(self.cursor),
+            Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
             Listing::Lines if views::lines_looked_at(self).is_empty() => {
                 self.shell.say(words().nothing_to_search());
                 return;
             }
-            Listing::Lines => Whence::Lines(self.scroll(self.shell.view)),
+            Listing::Lines => SearchOrigin::Lines(self.scroll(self.shell.view)),
         };
         let name = EditLine::for_search();
         self.shell.mode = Mode::Search(NameSearch { name, from });
@@ -50,11 +50,11 @@ impl App {
     }
 
     /// Moves the cursor back to where the search began.
-    fn go_back(&mut self, from: Whence) {
+    fn go_back(&mut self, from: SearchOrigin) {
         match from {
-            Whence::Tables(cursor) => self.place_cursor(|_, _| cursor),
-            Whence::Scene(row) => self.document.editor.go_to(row),
-            Whence::Lines(line) => {
+            SearchOrigin::Tables(cursor) => self.place_cursor(|_, _| cursor),
+            SearchOrigin::Scene(row) => self.document.editor.go_to(row),
+            SearchOrigin::Lines(line) => {
                 self.found = None;
                 self.scroll_to(line);
             }
@@ -97,18 +97,18 @@ impl App {
 
     /// Moves to the first match after `from` and returns `true`; without a match, moves back to
     /// `from` and returns `false`.
-    fn go_to_name(&mut self, typed: &str, from: Whence) -> bool {
+    fn go_to_name(&mut self, typed: &str, from: SearchOrigin) -> bool {
         match from {
-            Whence::Tables(from) => {
+            SearchOrigin::Tables(from) => {
                 let found = search::best(self.player.open_scene.tables(), typed, from);
                 self.place_cursor(|_, _| found.unwrap_or(from));
                 found.is_some()
             }
-            Whence::Scene(row) => {
+            SearchOrigin::Scene(row) => {
                 self.document.editor.go_to(row);
                 self.document.editor.seek(typed, false)
             }
-            Whence::Lines(from) => {
+            SearchOrigin::Lines(from) => {
                 self.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
                 self.scroll_to(self.found_line().unwrap_or(from));
                 self.found.is_some()
@@ -135,17 +135,17 @@ impl App {
     }
 
     /// Moves to the next match of the last search.
-    fn find_next(&mut self, from: Whence) {
+    fn find_next(&mut self, from: SearchOrigin) {
         if self.sought.is_empty() {
             return;
         }
         let found = match from {
-            Whence::Tables(_) => {
+            SearchOrigin::Tables(_) => {
                 let next = search::next(self.player.open_scene.tables(), &self.sought, self.cursor);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
-            Whence::Scene(_) => self.document.editor.seek(&self.sought, true),
-            Whence::Lines(_) => {
+            SearchOrigin::Scene(_) => self.document.editor.seek(&self.sought, true),
+            SearchOrigin::Lines(_) => {
                 let lines = views::lines_looked_at(self);
                 self.found = FoundLine::of(&lines, &self.sought, self.next_line());
                 self.found_line().map(|line| self.scroll_to(line)).is_some()

@@ -1,6 +1,6 @@
 //! The input mode, the current view and the screen.
 
-use super::pointing::Gripped;
+use super::pointing::DragTarget;
 use super::{Mode, View};
 use crate::capability::{Capability, Colours, Detected, PictureProtocol};
 use crate::drawing::{Blocks, Glyphs};
@@ -49,7 +49,7 @@ pub(super) struct Shell {
 
     /// `true` if the workbench handles the mouse.
     pub has_mouse: bool,
-    pub grip: Gripped,
+    pub grip: DragTarget,
 
     // The terminal.
     pub capability: Capability,
@@ -74,7 +74,7 @@ impl Shell {
             before: None,
             seen: None,
             has_mouse: false,
-            grip: Gripped::default(),
+            grip: DragTarget::default(),
             capability,
             pictures: Detected {
                 value: None,

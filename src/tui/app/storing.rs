@@ -1,14 +1,14 @@
 //! Writes the scene, values and images to files, with a prompt if something would be lost.
 
 use super::{App, Mode};
-use crate::files::Trouble;
+use crate::files::WriteError;
 use crate::scene::Scene;
 use crate::tui::Origin;
 use crate::tui::commands::action::Action;
-use crate::tui::document::disk::News;
+use crate::tui::document::disk::FileStatus;
 use crate::tui::document::edited;
-use crate::tui::document::saving::{Errand, Leave, refused, refused_there};
-use crate::tui::document::writing::{Doubt, Question, SavedContent};
+use crate::tui::document::saving::{Leave, SaveRequest, refused, refused_there};
+use crate::tui::document::writing::{ConfirmReason, Question, SavedContent};
 use crate::wording::words;
 use std::path::{Path, PathBuf};
 
@@ -28,7 +28,7 @@ impl App {
         // The file has the screen's contents, if it still exists.
         let scene = self.scenes;
         self.clerk.give(move || {
-            let is_gone = matches!(News::of(&path), News::Gone);
+            let is_gone = matches!(FileStatus::of(&path), FileStatus::Gone);
             Box::new(move |app, _| match is_gone {
                 _ if app.scenes != scene => {}
                 true => app.store(SavedContent::Scene, path, Leave::default()),
@@ -72,7 +72,7 @@ impl App {
             }
         };
         let is_own = content == SavedContent::Scene && self.is_own(&to);
-        let errand = Errand {
+        let errand = SaveRequest {
             text,
             own: is_own.then(|| self.document.editor.saved().to_owned()),
             leave,
@@ -84,7 +84,7 @@ impl App {
             to,
         };
         if is_own && self.document.older && self.is_changed() && !leave.over {
-            self.ask(content, errand, Doubt::Older);
+            self.ask(content, errand, ConfirmReason::Older);
             return;
         }
         self.document.storing = true;
@@ -100,7 +100,7 @@ impl App {
         matches!(self.player.open_scene.origin(), Origin::File(own) if own == file)
     }
 
-    fn ask(&mut self, content: SavedContent, errand: Errand, doubt: Doubt) {
+    fn ask(&mut self, content: SavedContent, errand: SaveRequest, doubt: ConfirmReason) {
         self.shell.message = None;
         self.shell.ask(Mode::Confirm(Question {
             content,
@@ -114,8 +114,8 @@ impl App {
     fn stored(
         &mut self,
         content: SavedContent,
-        errand: Errand,
-        done: Result<(), Trouble>,
+        errand: SaveRequest,
+        done: Result<(), WriteError>,
         scene: usize,
     ) {
         self.document.storing = false;
@@ -142,7 +142,7 @@ impl App {
         if self.shell.mode != Mode::Normal || !is_shown {
             return;
         }
-        match Doubt::of(&trouble) {
+        match ConfirmReason::of(&trouble) {
             Some(doubt) => self.ask(content, errand, doubt),
             // A text is not lost, and correcting a file name is easier than typing it again.
             None if errand.own.is_none() => {
@@ -152,7 +152,8 @@ impl App {
             }
             None => {
                 let key = self.shell.keymap.told(Action::SaveAs);
-                if let (Trouble::NoFile(_), Some(message)) = (&trouble, &mut self.shell.message) {
+                if let (WriteError::NoFile(_), Some(message)) = (&trouble, &mut self.shell.message)
+                {
                     *message = words().or_save_elsewhere(message, &key);
                 }
             }
@@ -160,7 +161,7 @@ impl App {
     }
 
     /// Notes that the file holds the scene as it was when the write started.
-    fn filed(&mut self, errand: &Errand) {
+    fn filed(&mut self, errand: &SaveRequest) {
         let is_own = self.is_own(&errand.to);
         if !is_own {
             self.release();

@@ -31,7 +31,7 @@ impl App {
                 }
             })
         });
-        self.take_in(self.now);
+        self.drain_results(self.now);
     }
 
     /// Returns the candidates of the last task.

@@ -21,7 +21,7 @@ impl App {
                 }
             })
         });
-        self.take_in(self.now);
+        self.drain_results(self.now);
     }
 
     /// Handles the keys that turn the tour's pages. Returns `None` for all others.

@@ -20,7 +20,7 @@ impl App {
                 Some(action) => self.update(action, now),
                 None => self.nothing_meant(key),
             });
-        self.say_what_is_refused();
+        self.report_rejected();
         self.shell.before.take_if(|before| before.is_past);
         self.look_at_file(now, false);
         let effect = match self.attend(now) {
@@ -57,7 +57,7 @@ impl App {
     }
 
     /// Reports input that the current line rejected.
-    fn say_what_is_refused(&mut self) {
+    fn report_rejected(&mut self) {
         let line = self.shell.mode.line();
         if let Some(why) = line.and_then(EditLine::take_refusal) {
             self.shell.say(why);
@@ -80,7 +80,7 @@ impl App {
             }
             _ => {}
         }
-        self.say_what_is_refused();
+        self.report_rejected();
         // The new matches may have fewer lines.
         self.scroll_by(0);
     }
@@ -89,7 +89,7 @@ impl App {
     fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         match self.shell.mode {
             Mode::Normal => None,
-            Mode::Help(_) => self.search_help(key),
+            Mode::Help(_) => self.handle_search_key(key),
             Mode::Tour(_) => self.turn_page(key),
             Mode::GoTo(_) | Mode::Guess(_) | Mode::Goal(_) | Mode::Value(_) | Mode::FileName(_) => {
                 self.line_key(key, now)
@@ -107,7 +107,7 @@ impl App {
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
             Mode::Unsaved(_) => self.answer(key, now),
-            Mode::Recovery(_) => self.offer_key(key, now),
+            Mode::Recovery(_) => self.handle_offer_key(key, now),
         }
     }
 
@@ -169,7 +169,7 @@ impl App {
             self.watch_method(None);
         } else if self.is_working() {
             self.study_run.stop();
-        } else if self.shell.composition.leave_alone(self.shell.size) {
+        } else if self.shell.composition.restore_panes(self.shell.size) {
             self.rearrange();
         } else if self.compared().is_some() {
             self.compare();

@@ -50,7 +50,7 @@ impl App {
         if self.viewport.shows_forces() && !acts {
             self.shell.say(words().nothing_acts_in_short());
         }
-        self.attend_to_panes();
+        self.update_needs();
     }
 
     fn zoom(&mut self, steps: i8) {

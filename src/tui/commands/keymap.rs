@@ -97,7 +97,9 @@ impl Keymap {
         let mut found = Vec::new();
         for (n, &(key, second)) in claims.iter().enumerate() {
             let earlier = claims[..n].iter().find(|(k, first)| {
-                *k == key && first.place.meets(second.place) && !stands_before(first, second, key)
+                *k == key
+                    && first.place.meets(second.place)
+                    && !is_allowed_override(first, second, key)
             });
             if let Some(&(key, first)) = earlier {
                 found.push(Clash { key, first, second });
@@ -110,7 +112,7 @@ impl Keymap {
 /// Returns `true` if one of two bindings of a key overrides the other: a list's binding overrides
 /// that of all views if the key has both built in. Another action bound to such a key by the user
 /// thus works only in the motion view.
-fn stands_before(one: &ActionRow, other: &ActionRow, key: Key) -> bool {
+fn is_allowed_override(one: &ActionRow, other: &ActionRow, key: Key) -> bool {
     let is_built_in = |place| {
         let mut rows = action::entries().filter(|row| row.place == place);
         rows.any(|row| row.keys.contains(&key))

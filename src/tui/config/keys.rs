@@ -69,7 +69,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
     }
     // After errors, incomplete bindings could cause false clashes.
     if !reader.has_errors() {
-        tell_clashes(reader, keymap, &given);
+        report_clashes(reader, keymap, &given);
     }
 }
 
@@ -159,7 +159,7 @@ fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key,
 }
 
 /// Reports each key with two meanings in one context.
-fn tell_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
+fn report_clashes(reader: &mut Reader<'_>, keymap: &Keymap, given: &[GivenKey]) {
     for clash in keymap.clashes() {
         let places = |entry: &ActionRow| {
             let mine = given

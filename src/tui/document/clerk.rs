@@ -22,15 +22,15 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// The owner of jobs, which receives their completions.
-pub(crate) trait Client {
+pub(crate) trait JobOwner {
     /// Reports a job that panicked.
     fn fail(&mut self, error: &Error);
 }
 
 /// The completion of a job, to be run on its owner.
-pub(crate) type Then<T> = Box<dyn FnOnce(&mut T, Duration) + Send>;
+pub(crate) type Completion<T> = Box<dyn FnOnce(&mut T, Duration) + Send>;
 /// A job, to be run on a background thread.
-type Job<T> = Box<dyn FnOnce() -> Then<T> + Send>;
+type Job<T> = Box<dyn FnOnce() -> Completion<T> + Send>;
 
 /// Maximum time to wait for a job: too short to notice, but enough for a responsive disk.
 const GRACE: Duration = Duration::from_millis(60);
@@ -38,16 +38,16 @@ const GRACE: Duration = Duration::from_millis(60);
 const FAREWELL: Duration = Duration::from_secs(1);
 
 /// Runs jobs, in place or on background threads.
-pub(crate) struct Clerk<T> {
-    desk: Option<Desk<T>>,
+pub(crate) struct JobRunner<T> {
+    desk: Option<WorkerThreads<T>>,
     /// The completions of jobs run in place.
-    done: VecDeque<Then<T>>,
+    done: VecDeque<Completion<T>>,
 }
 
-impl<T> Default for Clerk<T> {
+impl<T> Default for JobRunner<T> {
     /// Creates a runner that runs jobs in place.
     fn default() -> Self {
-        Clerk {
+        JobRunner {
             desk: None,
             done: VecDeque::new(),
         }
@@ -56,7 +56,7 @@ impl<T> Default for Clerk<T> {
 
 /// The kind of thread that runs a job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Apart {
+enum WorkerKind {
     /// The thread for file jobs, which runs them in order.
     Files,
     /// A thread for a single search.
@@ -64,10 +64,10 @@ enum Apart {
 }
 
 /// The background threads and their pending jobs.
-struct Desk<T> {
+struct WorkerThreads<T> {
     jobs: Sender<Job<T>>,
-    out: OutTray<T>,
-    done: Receiver<(Apart, Then<T>)>,
+    out: ResultSender<T>,
+    done: Receiver<(WorkerKind, Completion<T>)>,
     /// Becomes readable when a job is done.
     bell: UnixStream,
     /// Numbers of pending file jobs and searches, and the time until which to wait for them.
@@ -77,55 +77,55 @@ struct Desk<T> {
 }
 
 /// Sends completions to the UI thread and wakes it.
-struct OutTray<T> {
-    finished: Sender<(Apart, Then<T>)>,
+struct ResultSender<T> {
+    finished: Sender<(WorkerKind, Completion<T>)>,
     rope: Arc<UnixStream>,
 }
 
-impl<T> Clone for OutTray<T> {
+impl<T> Clone for ResultSender<T> {
     fn clone(&self) -> Self {
-        OutTray {
+        ResultSender {
             finished: self.finished.clone(),
             rope: Arc::clone(&self.rope),
         }
     }
 }
 
-impl<T: Client + 'static> OutTray<T> {
+impl<T: JobOwner + 'static> ResultSender<T> {
     /// Runs a job and sends its completion. Returns `false` if the owner is gone.
-    fn serve(&self, apart: Apart, job: Job<T>) -> bool {
+    fn serve(&self, apart: WorkerKind, job: Job<T>) -> bool {
         let then = catch_unwind(AssertUnwindSafe(job)).unwrap_or_else(|_| broken());
         // A full socket already wakes the UI thread.
         self.finished.send((apart, then)).is_ok() && rings(write(&*self.rope, &[1]))
     }
 }
 
-impl<T: Client + 'static> Clerk<T> {
+impl<T: JobOwner + 'static> JobRunner<T> {
     /// Creates a runner with a thread for file jobs.
     ///
     /// # Errors
     /// Returns an error if the system creates no socket pair or thread.
-    pub(crate) fn apart() -> io::Result<Clerk<T>> {
+    pub(crate) fn apart() -> io::Result<JobRunner<T>> {
         let (bell, rope) = UnixStream::pair()?;
         bell.set_nonblocking(true)?;
         rope.set_nonblocking(true)?;
         let (jobs, given) = channel::<Job<T>>();
         let (finished, done) = channel();
-        let out = OutTray {
+        let out = ResultSender {
             finished,
             rope: Arc::new(rope),
         };
         let tray = out.clone();
         let work = move || {
             for job in given {
-                if !tray.serve(Apart::Files, job) {
+                if !tray.serve(WorkerKind::Files, job) {
                     return;
                 }
             }
         };
         thread::Builder::new().name("files".into()).spawn(work)?;
-        Ok(Clerk {
-            desk: Some(Desk {
+        Ok(JobRunner {
+            desk: Some(WorkerThreads {
                 jobs,
                 out,
                 done,
@@ -139,7 +139,7 @@ impl<T: Client + 'static> Clerk<T> {
     }
 
     /// Submits a file job.
-    pub(crate) fn give(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
+    pub(crate) fn give(&mut self, job: impl FnOnce() -> Completion<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
@@ -155,7 +155,7 @@ impl<T: Client + 'static> Clerk<T> {
     }
 
     /// Submits a search. The program does not wait for it at exit.
-    pub(crate) fn search(&mut self, job: impl FnOnce() -> Then<T> + Send + 'static) {
+    pub(crate) fn search(&mut self, job: impl FnOnce() -> Completion<T> + Send + 'static) {
         let Some(desk) = &mut self.desk else {
             self.done.push_back(job());
             return;
@@ -166,7 +166,7 @@ impl<T: Client + 'static> Clerk<T> {
         let given = Arc::clone(&job);
         let work = move || {
             if let Some(job) = taken(&given) {
-                tray.serve(Apart::Search, job);
+                tray.serve(WorkerKind::Search, job);
             }
         };
         if thread::Builder::new()
@@ -182,7 +182,7 @@ impl<T: Client + 'static> Clerk<T> {
     }
 
     /// Returns the completion of the next finished job, after a short wait for it.
-    pub(crate) fn next(&mut self) -> Option<Then<T>> {
+    pub(crate) fn next(&mut self) -> Option<Completion<T>> {
         if let Some(then) = self.done.pop_front() {
             return Some(then);
         }
@@ -205,18 +205,18 @@ impl<T: Client + 'static> Clerk<T> {
     }
 }
 
-impl<T> Desk<T> {
-    fn take(&mut self, patience: Duration) -> Option<Then<T>> {
+impl<T> WorkerThreads<T> {
+    fn take(&mut self, patience: Duration) -> Option<Completion<T>> {
         let (apart, then) = self.done.recv_timeout(patience).ok()?;
         match apart {
-            Apart::Files => self.files -= 1,
-            Apart::Search => self.searches -= 1,
+            WorkerKind::Files => self.files -= 1,
+            WorkerKind::Search => self.searches -= 1,
         }
         Some(then)
     }
 }
 
-impl<T> Drop for Clerk<T> {
+impl<T> Drop for JobRunner<T> {
     /// Waits for pending file jobs, up to a time limit.
     fn drop(&mut self) {
         let end = Instant::now() + FAREWELL;
@@ -231,7 +231,7 @@ impl<T> Drop for Clerk<T> {
     }
 }
 
-impl<T> fmt::Debug for Clerk<T> {
+impl<T> fmt::Debug for JobRunner<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let open = self.desk.as_ref().map(|desk| (desk.files, desk.searches));
         f.debug_struct("Clerk").field("open", &open).finish()
@@ -247,7 +247,7 @@ fn rings(written: Result<usize, Errno>) -> bool {
 }
 
 /// Returns the completion of a panicked job. The thread continues with other jobs.
-fn broken<T: Client>() -> Then<T> {
+fn broken<T: JobOwner>() -> Completion<T> {
     Box::new(|client: &mut T, _| client.fail(&Error::other(words().broken_there())))
 }
 
@@ -256,9 +256,9 @@ mod tests {
     use super::*;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
-    struct Nobody;
+    struct NullOwner;
 
-    impl Client for Nobody {
+    impl JobOwner for NullOwner {
         fn fail(&mut self, error: &Error) {
             panic!("{error}");
         }
@@ -270,7 +270,7 @@ mod tests {
     fn jobs_run_while_wakeups_are_unread() {
         const JOBS: usize = 2000;
         let done = Arc::new(AtomicUsize::new(0));
-        let mut clerk = Clerk::<Nobody>::apart().unwrap();
+        let mut clerk = JobRunner::<NullOwner>::apart().unwrap();
         for _ in 0..JOBS {
             let done = Arc::clone(&done);
             clerk.give(move || {
@@ -286,7 +286,7 @@ mod tests {
     /// was lost on exit.
     #[test]
     fn searches_do_not_delay_file_jobs() {
-        let mut clerk = Clerk::<Nobody>::apart().unwrap();
+        let mut clerk = JobRunner::<NullOwner>::apart().unwrap();
         let (end, until) = channel::<()>();
         clerk.search(move || {
             let _ = until.recv();

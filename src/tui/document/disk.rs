@@ -13,7 +13,7 @@ const PAUSE: Duration = Duration::from_secs(1);
 
 /// The state of the file on disk.
 #[derive(Debug)]
-pub(crate) enum News {
+pub(crate) enum FileStatus {
     /// The file exists with these contents, changed or not.
     Written(Vec<u8>),
     /// The file does not exist.
@@ -22,13 +22,13 @@ pub(crate) enum News {
     Unreadable(io::Error),
 }
 
-impl News {
+impl FileStatus {
     /// Reads the state of a file.
-    pub(crate) fn of(path: &Path) -> News {
+    pub(crate) fn of(path: &Path) -> FileStatus {
         match read_file(path, MAX_FILE_SIZE + BYTE_ORDER_MARK.len()) {
-            Ok(bytes) => News::Written(bytes),
-            Err(e) if e.kind() == io::ErrorKind::NotFound => News::Gone,
-            Err(e) => News::Unreadable(e),
+            Ok(bytes) => FileStatus::Written(bytes),
+            Err(e) if e.kind() == io::ErrorKind::NotFound => FileStatus::Gone,
+            Err(e) => FileStatus::Unreadable(e),
         }
     }
 }
@@ -51,7 +51,7 @@ pub(crate) struct Disk {
 
 /// A check of the file, which may take long.
 #[derive(Debug)]
-pub(crate) struct DiskLook {
+pub(crate) struct FileCheck {
     path: PathBuf,
     before: Option<Option<Stamp>>,
 }
@@ -63,7 +63,7 @@ pub(crate) struct SeenFile {
     place: Option<PathBuf>,
     stamp: Option<Stamp>,
     /// The state of the file, if its stamp has changed.
-    pub(crate) news: Option<News>,
+    pub(crate) news: Option<FileStatus>,
 }
 
 impl Disk {
@@ -90,7 +90,7 @@ impl Disk {
 
     /// Returns a check if one is due: immediately if `at_once`, or else after a pause. During a
     /// running check, an immediate one is postponed.
-    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<DiskLook> {
+    pub(crate) fn look(&mut self, now: Duration, at_once: bool) -> Option<FileCheck> {
         self.missed |= self.looking && at_once;
         let is_due = at_once || self.looked.is_none_or(|looked| now >= looked + PAUSE);
         if self.looking || !is_due {
@@ -98,7 +98,7 @@ impl Disk {
         }
         self.looked = Some(now);
         self.looking = true;
-        Some(DiskLook {
+        Some(FileCheck {
             path: self.path.clone(),
             before: self.stamp,
         })
@@ -120,7 +120,7 @@ impl Disk {
     }
 }
 
-impl DiskLook {
+impl FileCheck {
     pub(crate) fn run(self) -> SeenFile {
         let stamp = Stamp::of(&self.path);
         // A file missing since the first check was not deleted.
@@ -128,7 +128,7 @@ impl DiskLook {
         SeenFile {
             place: self.path.canonicalize().ok(),
             stamp,
-            news: is_new.then(|| News::of(&self.path)),
+            news: is_new.then(|| FileStatus::of(&self.path)),
             path: self.path,
         }
     }

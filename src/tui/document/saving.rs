@@ -1,6 +1,6 @@
 //! Saves a text to a file.
 
-use crate::files::{Saving, Trouble, save};
+use crate::files::{Saving, WriteError, save};
 use crate::scene::MAX_FILE_SIZE;
 use crate::tui::document::disk::{BYTE_ORDER_MARK, unmarked};
 use crate::wording::words;
@@ -18,7 +18,7 @@ pub(crate) struct Leave {
 
 /// A request to save a text to a file.
 #[derive(Clone, Debug)]
-pub(crate) struct Errand {
+pub(crate) struct SaveRequest {
     pub(crate) text: String,
     pub(crate) to: PathBuf,
     /// The expected contents of the file, if it is the scene's own.
@@ -28,12 +28,12 @@ pub(crate) struct Errand {
     pub(crate) records: Option<PathBuf>,
 }
 
-impl Errand {
+impl SaveRequest {
     /// Saves the text completely or not at all. The scene's own file keeps its byte order mark.
     ///
     /// # Errors
     /// Returns the reason why nothing was written.
-    pub(crate) fn run(&self) -> Result<(), Trouble> {
+    pub(crate) fn run(&self) -> Result<(), WriteError> {
         let saving = Saving {
             to: &self.to,
             records: self.records.as_deref(),
@@ -43,18 +43,18 @@ impl Errand {
         save(saving, |old| self.instead_of(old))
     }
 
-    fn instead_of(&self, old: Option<Vec<u8>>) -> Result<Vec<u8>, Trouble> {
+    fn instead_of(&self, old: Option<Vec<u8>>) -> Result<Vec<u8>, WriteError> {
         let mut bytes = Vec::new();
         match (&old, &self.own) {
             (Some(old), Some(own)) => {
                 if !self.leave.over && unmarked(old) != own.as_bytes() {
-                    return Err(Trouble::Changed);
+                    return Err(WriteError::Changed);
                 }
                 if old.starts_with(BYTE_ORDER_MARK.as_bytes()) {
                     bytes.extend_from_slice(BYTE_ORDER_MARK.as_bytes());
                 }
             }
-            (Some(_), None) if !self.leave.over => return Err(Trouble::Exists),
+            (Some(_), None) if !self.leave.over => return Err(WriteError::Exists),
             // A file deleted meanwhile has no contents to lose.
             (Some(_), None) | (None, _) => {}
         }
@@ -64,11 +64,11 @@ impl Errand {
 }
 
 /// Formats a failed save with the file's name, or the folder's name if the folder does not exist.
-pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
+pub(crate) fn refused(trouble: &WriteError, to: &Path) -> String {
     if is_folder(trouble) {
         return words().add_a_name().into();
     }
-    let missing = matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::NotFound);
+    let missing = matches!(trouble, WriteError::Io(e) if e.kind() == io::ErrorKind::NotFound);
     let named = match to.parent().filter(|_| missing) {
         Some(folder) => folder.to_string_lossy(),
         None => to.file_name().unwrap_or(to.as_os_str()).to_string_lossy(),
@@ -77,20 +77,20 @@ pub(crate) fn refused(trouble: &Trouble, to: &Path) -> String {
 }
 
 /// Formats a failed save for display after the file's name.
-pub(crate) fn refused_there(trouble: &Trouble) -> String {
+pub(crate) fn refused_there(trouble: &WriteError) -> String {
     match is_folder(trouble) {
         true => words().add_a_name().into(),
         false => words().not_written(&why(trouble)),
     }
 }
 
-fn is_folder(trouble: &Trouble) -> bool {
-    matches!(trouble, Trouble::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
+fn is_folder(trouble: &WriteError) -> bool {
+    matches!(trouble, WriteError::Io(e) if e.kind() == io::ErrorKind::IsADirectory)
 }
 
 /// Returns the reason of a failed save, in short words for common errors because the line is short.
-fn why(trouble: &Trouble) -> String {
-    let Trouble::Io(error) = trouble else {
+fn why(trouble: &WriteError) -> String {
+    let WriteError::Io(error) = trouble else {
         return trouble.to_string();
     };
     match error.kind() {
@@ -108,8 +108,8 @@ mod tests {
     use super::*;
     use std::fs;
 
-    fn errand(to: &Path) -> Errand {
-        Errand {
+    fn errand(to: &Path) -> SaveRequest {
+        SaveRequest {
             text: "a\nb\n".into(),
             to: to.to_owned(),
             own: None,
@@ -125,12 +125,12 @@ mod tests {
         let file = folder.join("scene.toml");
         errand(&file).run().unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "a\nb\n");
-        assert!(matches!(errand(&file).run(), Err(Trouble::Exists)));
-        let own = |text: &str| Errand {
+        assert!(matches!(errand(&file).run(), Err(WriteError::Exists)));
+        let own = |text: &str| SaveRequest {
             own: Some(text.into()),
             ..errand(&file)
         };
-        assert!(matches!(own("other").run(), Err(Trouble::Changed)));
+        assert!(matches!(own("other").run(), Err(WriteError::Changed)));
         fs::write(&file, "\u{feff}a\nb\n").unwrap();
         own("a\nb\n").run().unwrap();
         assert_eq!(fs::read_to_string(&file).unwrap(), "\u{feff}a\nb\n");
@@ -138,7 +138,7 @@ mod tests {
             over: true,
             ..Leave::default()
         };
-        let meant = Errand {
+        let meant = SaveRequest {
             leave: over,
             ..errand(&file)
         };
@@ -150,7 +150,7 @@ mod tests {
     #[test]
     fn write_errors_have_short_messages() {
         let told = |kind: io::ErrorKind| {
-            let trouble = Trouble::Io(kind.into());
+            let trouble = WriteError::Io(kind.into());
             refused(&trouble, Path::new("/nowhere/scene.toml"))
         };
         assert_eq!(

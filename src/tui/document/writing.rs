@@ -1,6 +1,6 @@
 //! The content to write while the user chooses a file, and the prompts about that file.
 
-use crate::files::Trouble;
+use crate::files::WriteError;
 use crate::page::{Page, TextStyle};
 use crate::report::{Report, ReportFormat};
 use crate::tui::commands::line::EditLine;
@@ -98,14 +98,14 @@ pub(crate) struct Prompt {
 pub(crate) struct Question {
     pub(crate) content: SavedContent,
     pub(crate) to: PathBuf,
-    pub(crate) doubt: Doubt,
+    pub(crate) doubt: ConfirmReason,
     /// The permissions granted so far.
     pub(crate) leave: Leave,
 }
 
 /// The reason for asking before a write.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Doubt {
+pub(crate) enum ConfirmReason {
     /// The file exists.
     Exists,
     /// Another program has written the file since it was read.
@@ -116,28 +116,28 @@ pub(crate) enum Doubt {
     ReadOnly,
 }
 
-impl Doubt {
+impl ConfirmReason {
     /// Returns the reason to ask about a failed write; `None` if no permission would help.
-    pub(crate) fn of(trouble: &Trouble) -> Option<Doubt> {
+    pub(crate) fn of(trouble: &WriteError) -> Option<ConfirmReason> {
         match trouble {
-            Trouble::Exists => Some(Doubt::Exists),
-            Trouble::Changed => Some(Doubt::Changed),
-            Trouble::ReadOnly => Some(Doubt::ReadOnly),
-            Trouble::NoFile(_)
-            | Trouble::Disturbed
-            | Trouble::Busy
-            | Trouble::NoJournal
-            | Trouble::Io(_) => None,
+            WriteError::Exists => Some(ConfirmReason::Exists),
+            WriteError::Changed => Some(ConfirmReason::Changed),
+            WriteError::ReadOnly => Some(ConfirmReason::ReadOnly),
+            WriteError::NoFile(_)
+            | WriteError::Disturbed
+            | WriteError::Busy
+            | WriteError::NoJournal
+            | WriteError::Io(_) => None,
         }
     }
 
     /// Returns the question about a file of this name.
     pub(crate) fn question(self, name: &str) -> String {
         match self {
-            Doubt::Exists => words().write_over(name),
-            Doubt::Changed => words().write_over_changed(name),
-            Doubt::Older => words().write_over_newer(name),
-            Doubt::ReadOnly => words().write_read_only(name),
+            ConfirmReason::Exists => words().write_over(name),
+            ConfirmReason::Changed => words().write_over_changed(name),
+            ConfirmReason::Older => words().write_over_newer(name),
+            ConfirmReason::ReadOnly => words().write_read_only(name),
         }
     }
 }
@@ -146,11 +146,11 @@ impl Question {
     /// Returns the permissions after the user confirms.
     pub(crate) fn granted(&self) -> Leave {
         match self.doubt {
-            Doubt::Exists | Doubt::Changed | Doubt::Older => Leave {
+            ConfirmReason::Exists | ConfirmReason::Changed | ConfirmReason::Older => Leave {
                 over: true,
                 ..self.leave
             },
-            Doubt::ReadOnly => Leave {
+            ConfirmReason::ReadOnly => Leave {
                 read_only: true,
                 ..self.leave
             },

@@ -9,12 +9,12 @@ use crate::tui::figures::sheet::SheetPart;
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct NameSearch {
     pub(crate) name: EditLine,
-    pub(crate) from: Whence,
+    pub(crate) from: SearchOrigin,
 }
 
 /// The starting point of a search.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Whence {
+pub(crate) enum SearchOrigin {
     /// In the tables.
     Tables(Cursor),
     /// In this row of the scene view.

@@ -2,14 +2,14 @@
 //! drawing, and the differences in the tables.
 
 use crate::drawing::{self, Figure, Reach};
-use crate::quantity::DriverStand;
+use crate::quantity::DriverState;
 use crate::report::{Pairing, Tables};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::tui::Opened;
 use crate::tui::figures::format::short;
 use crate::tui::figures::sheet::Sheet;
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::{OpenScene, solved};
 use crate::wording::words;
 use crate::{Ball, DriverMoment, Input};
@@ -22,9 +22,9 @@ const SPEED: usize = 8;
 /// A scene compared with the open one.
 #[derive(Debug)]
 pub(crate) struct ComparedScene {
-    edition: Edition,
+    edition: SceneRevision,
     /// The revision of the open scene that the comparison belongs to.
-    beside: Edition,
+    beside: SceneRevision,
     /// The display name.
     name: String,
     other: Other,
@@ -37,7 +37,7 @@ pub(crate) struct ComparedScene {
     sheet: Sheet,
     /// The differences: the values of the open scene minus those of this scene.
     tables: Tables,
-    stand: DriverStand,
+    stand: DriverState,
 }
 
 /// The scene itself, solved at the open scene's coordinate.
@@ -69,7 +69,7 @@ impl ComparedScene {
         let sheet = Sheet::of_differences(&samples(open_scene, &mut other, &pairing));
         let there = other.tables(open_scene.stand());
         Ok(ComparedScene {
-            edition: Edition::default(),
+            edition: SceneRevision::default(),
             beside: open_scene.edition().clone(),
             name,
             reach: open_scene.reach().beside(&own, other.scale, other.driver()),
@@ -101,7 +101,7 @@ impl ComparedScene {
     }
 
     /// Returns the revision, which identifies this comparison.
-    pub(crate) fn edition(&self) -> &Edition {
+    pub(crate) fn edition(&self) -> &SceneRevision {
         &self.edition
     }
 
@@ -196,7 +196,7 @@ impl Other {
 
     /// Computes this scene's tables at the driver state of the open scene, with the same speed if
     /// that has a motion over time.
-    fn tables(&mut self, stand: &DriverStand) -> Tables {
+    fn tables(&mut self, stand: &DriverState) -> Tables {
         let unit = self.driver();
         let pace = stand.pace.map(|moment| DriverMoment {
             at: moment.at / unit,
@@ -207,7 +207,7 @@ impl Other {
         let at = stand.at / unit;
         solved(
             &self.opened,
-            &DriverStand { at, pace },
+            &DriverState { at, pace },
             Order::Acceleration,
             &mut self.state,
             &mut self.enclosure,

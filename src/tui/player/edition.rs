@@ -5,15 +5,15 @@ use std::sync::Arc;
 /// The revision of a solved scene. Cached results are valid while it is equal. An edit or another
 /// assembly creates a new revision; another coordinate does not.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Edition(Arc<()>);
+pub(crate) struct SceneRevision(Arc<()>);
 
-impl PartialEq for Edition {
+impl PartialEq for SceneRevision {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
-impl Eq for Edition {}
+impl Eq for SceneRevision {}
 
 #[cfg(test)]
 mod tests {
@@ -21,8 +21,8 @@ mod tests {
 
     #[test]
     fn revision_equals_only_its_clones() {
-        let one = Edition::default();
+        let one = SceneRevision::default();
         assert_eq!(one, one.clone());
-        assert_ne!(one, Edition::default());
+        assert_ne!(one, SceneRevision::default());
     }
 }

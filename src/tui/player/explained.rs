@@ -2,7 +2,7 @@
 
 use crate::Ball;
 use crate::page::Page;
-use crate::quantity::DriverStand;
+use crate::quantity::DriverState;
 use crate::report::Working;
 use crate::scene::Scene;
 use crate::solver::{Order, Workspace};
@@ -29,7 +29,7 @@ impl Explained {
     }
 
     /// Creates the working at a driver state; `None` if the scene has too many links.
-    pub(crate) fn new(opened: &Opened, stand: &DriverStand) -> Option<Explained> {
+    pub(crate) fn new(opened: &Opened, stand: &DriverState) -> Option<Explained> {
         let Opened { scene, solver, .. } = opened;
         if !Explained::is_possible(scene) {
             return None;
@@ -45,7 +45,7 @@ impl Explained {
     }
 
     /// Updates the working for another driver state.
-    pub(crate) fn go(&mut self, opened: &Opened, stand: &DriverStand) {
+    pub(crate) fn go(&mut self, opened: &Opened, stand: &DriverState) {
         let Opened { scene, solver, .. } = opened;
         let _ = stand.solve(solver, Order::Force, &mut self.state);
         stand.drive(solver, &mut self.enclosure);

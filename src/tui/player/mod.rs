@@ -16,7 +16,7 @@ pub(crate) mod watched_method;
 use super::Opened;
 use crate::tui::figures::format::rounded;
 use driver_range::OutOfRange;
-use edition::Edition;
+use edition::SceneRevision;
 use open_scene::OpenScene;
 use playback::{Playback, Track};
 use std::time::Duration;
@@ -36,7 +36,7 @@ pub(crate) struct Player {
     /// The time when the last frame was due.
     frame: Duration,
     /// The time, scene and coordinate of the last cost measurement; `None` before the first one.
-    weighed: Option<(Duration, Edition, f64)>,
+    weighed: Option<(Duration, SceneRevision, f64)>,
 }
 
 impl Player {

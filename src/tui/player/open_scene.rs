@@ -3,7 +3,7 @@
 use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
-use crate::quantity::{Catalogue, DriverStand, Quantity, Sensitivity};
+use crate::quantity::{Catalogue, DriverState, Quantity, Sensitivity};
 use crate::report::{
     Answers, Forces, PositionMethod, Tables, ToleranceAnswers, ToleranceReport, Verdict,
 };
@@ -16,7 +16,7 @@ use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::explained::Explained;
 use crate::tui::player::timetable::Timetable;
 use crate::tui::player::watched_method::WatchedMethod;
@@ -32,7 +32,7 @@ const MAX_ROWS: usize = 20_000;
 /// An open scene at one driver coordinate.
 #[derive(Debug)]
 pub(crate) struct OpenScene {
-    edition: Edition,
+    edition: SceneRevision,
     opened: Opened,
     driver_range: DriverRange,
     reach: Reach,
@@ -41,7 +41,7 @@ pub(crate) struct OpenScene {
     /// The drawing role of the link of each row of the vectors.
     vector_roles: Vec<Option<Role>>,
     /// The driver state; and its time, if the driver has a motion over time.
-    stand: DriverStand,
+    stand: DriverState,
     time: Option<f64>,
     timetable: Option<Timetable>,
     state: Workspace,
@@ -89,7 +89,7 @@ impl OpenScene {
         let stand = places[0];
         let mut enclosure = opened.solver.enclosure();
         OpenScene {
-            edition: Edition::default(),
+            edition: SceneRevision::default(),
             verdict: Verdict::new(&opened.scene, &opened.solver),
             sheet: Sheet::new(&samples),
             vector_roles: vector_roles(&opened.scene),
@@ -118,7 +118,7 @@ impl OpenScene {
     }
 
     /// Returns the revision, the key for cached results on this scene.
-    pub(crate) fn edition(&self) -> &Edition {
+    pub(crate) fn edition(&self) -> &SceneRevision {
         &self.edition
     }
 
@@ -143,13 +143,13 @@ impl OpenScene {
     }
 
     /// Computes the assemblies of all groups at the current coordinate.
-    pub(crate) fn look_around(&mut self) -> Option<&AssemblyList> {
+    pub(crate) fn compute_assemblies(&mut self) -> Option<&AssemblyList> {
         let Opened { scene, solver, .. } = &self.opened;
         self.assembly_list = AssemblyList::new(scene, solver, self.at(), &self.reach);
         self.assembly_list.as_ref()
     }
 
-    /// Returns the result of [`OpenScene::look_around`].
+    /// Returns the result of [`OpenScene::compute_assemblies`].
     pub(crate) fn assembly_list(&self) -> Option<&AssemblyList> {
         self.assembly_list.as_ref()
     }
@@ -178,7 +178,7 @@ impl OpenScene {
     /// has that coordinate.
     pub(crate) fn go(&mut self, at: f64) {
         let Some(timetable) = &self.timetable else {
-            return self.stand_at(DriverStand::at(at), None);
+            return self.stand_at(DriverState::at(at), None);
         };
         let time = timetable.nearest(at, self.time.unwrap_or(0.0));
         self.stand_at(timetable.stand_at(at, time), time);
@@ -191,7 +191,7 @@ impl OpenScene {
         }
     }
 
-    fn stand_at(&mut self, stand: DriverStand, time: Option<f64>) {
+    fn stand_at(&mut self, stand: DriverState, time: Option<f64>) {
         (self.stand, self.time) = (stand, time);
         let at = stand.at;
         self.assembly_list = None;
@@ -434,7 +434,7 @@ impl OpenScene {
     }
 
     /// Returns the driver's coordinate with its rates.
-    pub(crate) fn stand(&self) -> &DriverStand {
+    pub(crate) fn stand(&self) -> &DriverState {
         &self.stand
     }
 
@@ -476,7 +476,7 @@ impl OpenScene {
     /// Computes the tables with bounds at another driver state.
     pub(crate) fn tables_at(
         &self,
-        stand: &DriverStand,
+        stand: &DriverState,
         state: &mut Workspace,
         enclosure: &mut Workspace<Ball>,
     ) -> Tables {
@@ -484,7 +484,7 @@ impl OpenScene {
     }
 
     /// Returns driver states over the whole motion, the initial one first.
-    pub(crate) fn places(&self) -> Vec<DriverStand> {
+    pub(crate) fn places(&self) -> Vec<DriverState> {
         places(
             &self.opened.scene,
             &self.driver_range,
@@ -522,7 +522,7 @@ impl OpenScene {
 /// Solves a state to `order` and computes its tables with bounds.
 pub(crate) fn solved(
     opened: &Opened,
-    stand: &DriverStand,
+    stand: &DriverState,
     order: Order,
     state: &mut Workspace,
     enclosure: &mut Workspace<Ball>,
@@ -534,7 +534,7 @@ pub(crate) fn solved(
 }
 
 /// Computes the tables at driver states.
-fn samples(opened: &Opened, places: &[DriverStand], state: &mut Workspace) -> Vec<Tables> {
+fn samples(opened: &Opened, places: &[DriverState], state: &mut Workspace) -> Vec<Tables> {
     places
         .iter()
         .map(|stand| {
@@ -549,7 +549,7 @@ fn places(
     scene: &Scene,
     driver_range: &DriverRange,
     timetable: Option<&Timetable>,
-) -> Vec<DriverStand> {
+) -> Vec<DriverState> {
     let (low, high) = driver_range.shuttle().unwrap_or((
         driver_range.opening(),
         driver_range.opening() + driver_range.span(),
@@ -562,7 +562,7 @@ fn places(
     let spread = (0..=count).map(|k| low + (high - low) * share(k));
     let spread = std::iter::once(driver_range.opening()).chain(spread);
     match timetable {
-        None => spread.map(DriverStand::at).collect(),
+        None => spread.map(DriverState::at).collect(),
         // Outside its motion over time, the driver has the scene's constant speed.
         Some(timetable) => {
             let times = (0..=count).map(|k| timetable.period() * share(k));

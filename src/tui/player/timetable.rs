@@ -1,7 +1,7 @@
 //! The driver's position over time, for a scene with a motion law.
 
 use crate::MotionLaw;
-use crate::quantity::{Clock, DriverStand};
+use crate::quantity::{Clock, DriverState};
 use crate::scene::Scene;
 use crate::solver::Range;
 use crate::tui::figures::format::{FINEST, rounded};
@@ -40,9 +40,9 @@ impl Timetable {
     }
 
     /// Returns the driver state at a time.
-    pub(crate) fn stand(&self, time: f64) -> DriverStand {
+    pub(crate) fn stand(&self, time: f64) -> DriverState {
         let moment = self.clock.moment(time, self.range);
-        DriverStand {
+        DriverState {
             at: moment.at,
             pace: Some(moment),
         }
@@ -50,12 +50,12 @@ impl Timetable {
 
     /// Returns the driver state at an exact coordinate, with the rates at `time`. Without a time,
     /// the rates are those of the scene's constant speed.
-    pub(crate) fn stand_at(&self, at: f64, time: Option<f64>) -> DriverStand {
+    pub(crate) fn stand_at(&self, at: f64, time: Option<f64>) -> DriverState {
         let pace = match time {
             Some(time) => self.clock.moment(time, self.range),
             None => self.clock.passing(at),
         };
-        DriverStand {
+        DriverState {
             at,
             pace: Some(pace),
         }

@@ -12,7 +12,7 @@ use crate::tests::{Chance, Fuzz, shape};
 use crate::tui::app::{App, Effect, Mode, View};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::keymap::Keymap;
-use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::document::opening;
 use crate::tui::terminal::{Keyboard, TerminalInput};
 use crate::tui::views::picker::list::PickerTarget;
@@ -251,12 +251,12 @@ fn deed(chance: &mut Chance, app: &App) -> MonkeyDeed {
 /// Returns a random mouse event, sometimes beyond the edge of the screen.
 fn by_hand(chance: &mut Chance, app: &App) -> Mouse {
     let deeds = [
-        MouseDeed::Press,
-        MouseDeed::Drag,
-        MouseDeed::Drag,
-        MouseDeed::Release,
-        MouseDeed::WheelUp,
-        MouseDeed::WheelDown,
+        MouseEventKind::Press,
+        MouseEventKind::Drag,
+        MouseEventKind::Drag,
+        MouseEventKind::Release,
+        MouseEventKind::WheelUp,
+        MouseEventKind::WheelDown,
     ];
     let within = |chance: &mut Chance, most: u16| chance.below(usize::from(most) + 2) as u16;
     let size = app.size();

@@ -7,7 +7,7 @@ use crate::capability::{Capability, Colours};
 use crate::drawing::Glyphs;
 use crate::scene::presets;
 use crate::tui::app::{Effect, View};
-use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use crate::tui::config::Config;
 use crate::tui::document::opening;
 use crate::tui::views::SeenPlace;
@@ -43,7 +43,7 @@ fn bench_of(opened: Opened, keys: &str, size: Size, colours: Colours) -> Workben
     bench
 }
 
-fn point(bench: &mut Workbench, deed: MouseDeed, at: Position) {
+fn point(bench: &mut Workbench, deed: MouseEventKind, at: Position) {
     assert_eq!(bench.point(Mouse { deed, at }), Effect::Show);
     bench.paint();
 }
@@ -69,7 +69,11 @@ fn row(bench: &mut Workbench, text: &str) -> u16 {
 fn mouse_is_ignored_until_enabled() {
     let mut bench = bench("four-bar", "");
     let before = bench.text();
-    for deed in [MouseDeed::Press, MouseDeed::Drag, MouseDeed::WheelUp] {
+    for deed in [
+        MouseEventKind::Press,
+        MouseEventKind::Drag,
+        MouseEventKind::WheelUp,
+    ] {
         for (x, y) in [(12, 0), (20, 12), (60, 5)] {
             point(&mut bench, deed, Position::new(x, y));
         }
@@ -88,19 +92,19 @@ fn clicks_select_tab_row_and_value() {
     let x = bench.text().find("2 Tables").unwrap();
     point(
         &mut bench,
-        MouseDeed::Press,
+        MouseEventKind::Press,
         Position::new(u16::try_from(x).unwrap(), 0),
     );
     assert_eq!(bench.app().view(), View::Tables);
     let y = row(&mut bench, "r4  ");
-    point(&mut bench, MouseDeed::Press, Position::new(8, y));
+    point(&mut bench, MouseEventKind::Press, Position::new(8, y));
     assert_eq!(bench.app().cursor().row, 2);
     // The wheel continues from that row.
-    point(&mut bench, MouseDeed::WheelUp, Position::new(8, y));
+    point(&mut bench, MouseEventKind::WheelUp, Position::new(8, y));
     assert_eq!(bench.app().cursor().row, 0);
     bench.press("6");
     let y = row(&mut bench, "r3 length");
-    point(&mut bench, MouseDeed::Press, Position::new(8, y));
+    point(&mut bench, MouseEventKind::Press, Position::new(8, y));
     assert_eq!(bench.app().editor().value().unwrap().name, "r3 length");
 }
 
@@ -109,13 +113,13 @@ fn dragging_moves_driver_until_release() {
     let mut bench = bench("four-bar", "M");
     let of = |degrees: f64| crate::angle::unit(degrees) * 100.0;
     let (from, _) = cell(&bench, of(60.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     assert_eq!(bench.app().open_scene().at(), 60.0);
     // Nearly a full turn, in steps as large as between two mouse reports. Dragging backwards turns
     // backwards.
     for degrees in [90.0, 140.0, 200.0, 270.0, 350.0, 380.0, 340.0] {
         let (to, size) = cell(&bench, of(degrees));
-        point(&mut bench, MouseDeed::Drag, to);
+        point(&mut bench, MouseEventKind::Drag, to);
         let at = bench.app().open_scene().at();
         let within = (2.0 * size / 100.0).to_degrees();
         assert!(
@@ -124,8 +128,8 @@ fn dragging_moves_driver_until_release() {
         );
     }
     let at = bench.app().open_scene().at();
-    point(&mut bench, MouseDeed::Release, from);
-    point(&mut bench, MouseDeed::Drag, from);
+    point(&mut bench, MouseEventKind::Release, from);
+    point(&mut bench, MouseEventKind::Drag, from);
     assert_eq!(bench.app().open_scene().at(), at);
     // A slide moves along its guide.
     let mut boom = self::bench("excavator-boom", "M");
@@ -141,10 +145,10 @@ fn dragging_moves_driver_until_release() {
     let guide = boom.app().open_scene().state().travel(slide).unwrap().guide;
     let middle = Position::new(20, 10);
     let SeenPlace { place, column, .. } = boom.place(middle).unwrap();
-    point(&mut boom, MouseDeed::Press, middle);
+    point(&mut boom, MouseEventKind::Press, middle);
     let (to, _) = cell(&boom, place + guide * (3.0 * column));
     let moved = boom.place(to).unwrap().place - place;
-    point(&mut boom, MouseDeed::Drag, to);
+    point(&mut boom, MouseEventKind::Drag, to);
     let went = boom.app().open_scene().at() - before;
     assert!((went - guide.dot(moved)).abs() < 1e-3, "{went} {moved:?}");
 }
@@ -154,7 +158,7 @@ fn wheel_zooms_in_at_pointer() {
     let mut bench = bench("four-bar", "M");
     let (at, size) = cell(&bench, Vec2::new(300.0, 200.0));
     let before = bench.place(at).unwrap();
-    point(&mut bench, MouseDeed::WheelUp, at);
+    point(&mut bench, MouseEventKind::WheelUp, at);
     let after = bench.place(at).unwrap();
     assert!(after.column < 0.8 * before.column, "{after:?}");
     assert!(
@@ -168,12 +172,12 @@ fn dragging_ground_pin_is_one_undo_step() {
     let mut bench = bench("four-bar", "M 6");
     let text = bench.app().open_scene().scene().text().to_owned();
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     for x in [390.0, 380.0, 370.0] {
         let (to, _) = cell(&bench, Vec2::new(x, 0.0));
-        point(&mut bench, MouseDeed::Drag, to);
+        point(&mut bench, MouseEventKind::Drag, to);
     }
-    point(&mut bench, MouseDeed::Release, from);
+    point(&mut bench, MouseEventKind::Release, from);
     let scene = bench.app().open_scene().scene().text().to_owned();
     assert!(scene != text && !scene.contains("D = [400, 0]"), "{scene}");
     bench.press("u");
@@ -185,11 +189,11 @@ fn dragging_ground_pin_is_one_undo_step() {
 fn dragged_pin_stays_under_pointer() {
     let mut bench = bench("four-bar", "M 6");
     let (from, near) = cell(&bench, Vec2::new(400.0, 0.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     for right in 1..=3 {
         let to = Position::new(from.x + right, from.y);
         let wanted = bench.place(to).unwrap().place;
-        point(&mut bench, MouseDeed::Drag, to);
+        point(&mut bench, MouseEventKind::Drag, to);
         let mechanism = &bench.app().open_scene().scene().mechanism;
         let mut pins = mechanism.points().iter().filter_map(|point| point.ground);
         assert!(pins.any(|pin| (pin - wanted).norm() < near), "{right}");
@@ -203,14 +207,14 @@ fn dragged_pin_stays_under_pointer() {
 fn release_during_help_ends_drag() {
     let mut bench = bench("four-bar", "M");
     let (from, _) = cell(&bench, Vec2::new(50.0, 86.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     bench.press("?");
-    point(&mut bench, MouseDeed::Release, from);
+    point(&mut bench, MouseEventKind::Release, from);
     bench.press("Esc");
     bench.paint();
     let at = bench.app().open_scene().at();
     let (to, _) = cell(&bench, Vec2::new(-50.0, 86.0));
-    point(&mut bench, MouseDeed::Drag, to);
+    point(&mut bench, MouseEventKind::Drag, to);
     assert_eq!(bench.app().open_scene().at(), at);
 }
 
@@ -220,9 +224,9 @@ fn dragging_in_plot_moves_driver() {
     let y = row(&mut bench, "360");
     for x in [20, 60, 40] {
         let deed = if x == 20 {
-            MouseDeed::Press
+            MouseEventKind::Press
         } else {
-            MouseDeed::Drag
+            MouseEventKind::Drag
         };
         point(&mut bench, deed, Position::new(x, y - 3));
         let at = bench.app().open_scene().at();
@@ -239,14 +243,14 @@ fn crank_drag_is_stable_in_following_viewport() {
     for keys in ["M s", "M F", "M"] {
         let mut bench = bench("four-bar", keys);
         let (from, _) = cell(&bench, Vec2::new(50.0, 86.6));
-        point(&mut bench, MouseDeed::Press, from);
+        point(&mut bench, MouseEventKind::Press, from);
         let to = Position::new(from.x.saturating_sub(4), from.y);
-        point(&mut bench, MouseDeed::Drag, to);
+        point(&mut bench, MouseEventKind::Drag, to);
         let moved = bench.app().open_scene().at();
         assert!((60.0..110.0).contains(&moved), "{keys}: {moved}");
         let mut last = moved;
         for _ in 0..20 {
-            point(&mut bench, MouseDeed::Drag, to);
+            point(&mut bench, MouseEventKind::Drag, to);
             let at = bench.app().open_scene().at();
             assert!((at - last).abs() < 10.0, "{keys}: {last} {at}");
             last = at;
@@ -260,9 +264,9 @@ fn crank_drag_is_stable_in_following_viewport() {
 fn ground_pins_can_be_dragged_next_to_scene_pane() {
     let mut bench = bench_on("four-bar", "M 6", Size::new(120, 40));
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     let (to, _) = cell(&bench, Vec2::new(380.0, 30.0));
-    point(&mut bench, MouseDeed::Drag, to);
+    point(&mut bench, MouseEventKind::Drag, to);
     let scene = bench.app().open_scene().scene().text().to_owned();
     assert!(!scene.contains("D = [400, 0]"), "{scene}");
     assert_eq!(bench.app().view(), View::Scene);
@@ -280,9 +284,9 @@ fn ground_pins_can_be_dragged_next_to_scene_pane() {
     // In any other view, the same drag turns the crank.
     let mut bench = bench_on("four-bar", "M", Size::new(120, 40));
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     let (to, _) = cell(&bench, Vec2::new(300.0, 150.0));
-    point(&mut bench, MouseDeed::Drag, to);
+    point(&mut bench, MouseEventKind::Drag, to);
     assert_ne!(bench.app().open_scene().at(), 60.0);
     assert!(!bench.app().is_changed());
 }
@@ -292,10 +296,10 @@ fn ground_pins_can_be_dragged_next_to_scene_pane() {
 fn verdict_during_drag_compares_with_its_start() {
     let mut bench = bench("four-bar", "M 6");
     let (from, _) = cell(&bench, Vec2::new(400.0, 0.0));
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     for x in [410.0, 430.0, 456.0, 462.0, 460.0] {
         let (to, _) = cell(&bench, Vec2::new(x, 0.0));
-        point(&mut bench, MouseDeed::Drag, to);
+        point(&mut bench, MouseEventKind::Drag, to);
     }
     let screen = bench.text();
     assert!(screen.contains("crank-rocker -> "), "{screen}");
@@ -305,7 +309,7 @@ fn verdict_during_drag_compares_with_its_start() {
 fn dragging_stops_playback() {
     let mut bench = bench("four-bar", "M 3 space");
     let y = row(&mut bench, "360");
-    point(&mut bench, MouseDeed::Press, Position::new(40, y - 3));
+    point(&mut bench, MouseEventKind::Press, Position::new(40, y - 3));
     assert!(!bench.app().playback().is_playing());
 }
 
@@ -317,7 +321,7 @@ fn wheel_scrolls_lists_if_arrows_are_rebound() {
     bench.press("M 2");
     bench.paint();
     let y = row(&mut bench, "r4  ");
-    point(&mut bench, MouseDeed::WheelDown, Position::new(8, y));
+    point(&mut bench, MouseEventKind::WheelDown, Position::new(8, y));
     assert_ne!(bench.app().cursor().row, 0);
 }
 
@@ -331,10 +335,10 @@ fn opening_another_scene_ends_pin_drag() {
         .filter_map(|id| ground.mechanism.point(id).ground)
         .collect();
     let (from, _) = cell(&bench, pins[1]);
-    point(&mut bench, MouseDeed::Press, from);
+    point(&mut bench, MouseEventKind::Press, from);
     bench.press("n");
     bench.paint();
-    point(&mut bench, MouseDeed::Drag, Position::new(30, 10));
+    point(&mut bench, MouseEventKind::Drag, Position::new(30, 10));
     assert!(!bench.app().is_changed());
 }
 
@@ -351,7 +355,7 @@ fn zoomed_view_keeps_place_under_pointer() {
         let (at, _) = cell(&bench, Vec2::ZERO);
         let before = bench.place(at).unwrap();
         for _ in 0..4 {
-            point(&mut bench, MouseDeed::WheelUp, at);
+            point(&mut bench, MouseEventKind::WheelUp, at);
             let after = bench.place(at).unwrap();
             let off = (after.place - before.place).norm() / after.column;
             assert!(off < 4.0, "{preset}: {off} columns");

@@ -8,7 +8,7 @@
 //! 40 x 12 show more
 //! ```
 
-use super::{MIN_SIZE, MIN_VALUE, cut, has_words, print, question, row, status};
+use super::{MIN_SIZE, MIN_VALUE, cut, fits_text, print, question, row, status};
 use crate::tui::app::{App, Mode};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
@@ -18,7 +18,7 @@ use ratatui::layout::Rect;
 
 pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let text = theme::part(ScreenPart::Text);
-    if !has_words(app.size()) {
+    if !fits_text(app.size()) {
         let needed = words().screen_too_small(MIN_VALUE.width, MIN_VALUE.height);
         print(buffer, area.x, area.y, area.width, &needed, text);
         return;

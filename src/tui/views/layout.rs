@@ -184,7 +184,7 @@ impl Composition {
     }
 
     /// Restores the panes if the current view is maximized; returns `false` if nothing changes.
-    pub(crate) fn leave_alone(&mut self, screen: Size) -> bool {
+    pub(crate) fn restore_panes(&mut self, screen: Size) -> bool {
         std::mem::take(&mut self.alone) && !self.layout.views(screen).is_empty()
     }
 

@@ -334,7 +334,7 @@ fn whole(size: Size) -> Rect {
 }
 
 /// Returns `true` if the screen is large enough for any text.
-pub(crate) fn has_words(size: Size) -> bool {
+pub(crate) fn fits_text(size: Size) -> bool {
     size.width >= MIN_VALUE.width && size.height >= MIN_VALUE.height
 }
 

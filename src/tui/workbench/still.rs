@@ -27,13 +27,13 @@ pub(super) enum Still {
     /// The user has confirmed the long transmission.
     Accepted,
     /// The image is sent after the next complete frame.
-    Ready(StillSequence, ShownStill),
+    Ready(StillSequence, ActiveImage),
     /// The image is on the screen.
-    Shown(ShownStill),
+    Shown(ActiveImage),
 }
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct ShownStill {
+pub(super) struct ActiveImage {
     protocol: PictureProtocol,
     area: Rect,
 }
@@ -76,7 +76,7 @@ impl Workbench {
                 }
             }
         };
-        self.app.tell_of_still(message);
+        self.app.report_image(message);
     }
 
     /// Returns the bytes to be sent after the last painted frame.
@@ -126,7 +126,7 @@ impl Workbench {
         &mut self,
         protocol: PictureProtocol,
         cell: Option<(u16, u16)>,
-    ) -> Result<Option<(StillSequence, ShownStill)>, PaintError> {
+    ) -> Result<Option<(StillSequence, ActiveImage)>, PaintError> {
         let canvas = Canvas::new()?;
         self.app.catch_up();
         views::prepare(&self.app, &mut self.sketch);
@@ -139,7 +139,7 @@ impl Workbench {
         };
         let pixels = canvas.paint(&svg, width_in(area, cell, self.app.aspect()))?;
         let sequence = still::sequence(protocol, &pixels, area)?;
-        Ok(Some((sequence, ShownStill { protocol, area })))
+        Ok(Some((sequence, ActiveImage { protocol, area })))
     }
 }
 

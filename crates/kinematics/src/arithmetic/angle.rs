@@ -176,11 +176,11 @@ pub fn degrees(direction: Vec2) -> f64 {
 
 /// Shifts a direction by whole turns to within half a turn of `other`, in degrees.
 pub fn beside(other: f64, direction: f64) -> f64 {
-    beside_within(TURN, other, direction)
+    unwrap_within(TURN, other, direction)
 }
 
 /// Shifts a value by whole periods to within half a period of `other`.
-pub fn beside_within(period: f64, other: f64, value: f64) -> f64 {
+pub fn unwrap_within(period: f64, other: f64, value: f64) -> f64 {
     value - period * ((value - other) / period).round()
 }
 

@@ -3,7 +3,7 @@
 use super::ranks::NameRanks;
 use super::{
     Body, Defect, Defects, Driver, ElementId, Input, InputTable, Limit, LimitId, LimitOf, Link,
-    LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPlace, Slide, SlideId, Slider,
+    LinkId, Load, Mechanism, Member, Parts, Point, PointId, PolarPosition, Slide, SlideId, Slider,
     TimedInput,
 };
 use crate::{Double, Vec2};
@@ -135,7 +135,7 @@ impl Builder {
         (length, angle): (f64, f64),
     ) {
         let before = &self.links[link.index()].members;
-        let polar = Some(PolarPlace::new(from, length, angle, before));
+        let polar = Some(PolarPosition::new(from, length, angle, before));
         let local = Vec2::ZERO;
         self.push_member(
             link,

@@ -3,7 +3,7 @@
 //! Drawn or manufactured lengths are never exact, so sensitivities are computed one length at a
 //! time. Angles of guides and the driver's coordinate do not count as lengths.
 
-use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, PolarPlace, SlideId, Slider};
+use super::{Body, ElementId, LinkId, Mechanism, Parts, PointId, PolarPosition, SlideId, Slider};
 use crate::Vec2;
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -305,7 +305,7 @@ impl Parts {
     }
 
     /// Changes the polar place of a point and updates the link.
-    fn turn_arm(&mut self, link: LinkId, point: PointId, change: impl FnOnce(&mut PolarPlace)) {
+    fn turn_arm(&mut self, link: LinkId, point: PointId, change: impl FnOnce(&mut PolarPosition)) {
         let mut members = self.links[link.index()].members.iter_mut();
         let member = members.find(|member| member.point == point);
         if let Some(polar) = member.and_then(|member| member.polar.as_mut()) {

@@ -28,7 +28,7 @@ pub use lengths::{CoordinateAxis, Length};
 pub use limit::MAX_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};
 pub use load::{Load, Profile, StrokeEnd};
-pub use polar::PolarPlace;
+pub use polar::PolarPosition;
 pub use polar::seen_from;
 pub use spline::ClampedSpline;
 pub(crate) use spline::{SplineEnds, bends, cubic};
@@ -105,7 +105,7 @@ pub struct Member {
     /// The local coordinates, in the scene's length unit.
     pub local: Vec2,
     /// The length and angle from which the coordinates follow, for a point given in polar form.
-    pub polar: Option<PolarPlace>,
+    pub polar: Option<PolarPosition>,
 }
 
 /// A rigid link. Its local x axis is its direction.

@@ -8,7 +8,7 @@ use crate::{Constant, Vec2};
 
 /// The place of a point in a link, in polar form relative to another point of the link.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PolarPlace {
+pub struct PolarPosition {
     /// The reference point; `None` is the origin of the link's frame.
     pub from: Option<PointId>,
     /// The index of the reference point among the link's members; `None` if no earlier member is
@@ -26,7 +26,7 @@ pub struct PolarPlace {
     pub(super) rounding: f64,
 }
 
-impl PolarPlace {
+impl PolarPosition {
     /// Creates the place of a further point of a link that has these members. The coordinates are
     /// computed later.
     pub(super) fn new(
@@ -34,9 +34,9 @@ impl PolarPlace {
         length: f64,
         angle: f64,
         members: &[Member],
-    ) -> PolarPlace {
+    ) -> PolarPosition {
         let base = from.and_then(|from| members.iter().position(|m| m.point == from));
-        PolarPlace {
+        PolarPosition {
             from,
             base,
             length,
@@ -141,7 +141,7 @@ mod tests {
         link.members.push(Member {
             point,
             local: Vec2::ZERO,
-            polar: Some(PolarPlace::new(Some(end), length, angle, &link.members)),
+            polar: Some(PolarPosition::new(Some(end), length, angle, &link.members)),
         });
         let moved = link.lay(true);
         assert_eq!(moved.len(), 1);

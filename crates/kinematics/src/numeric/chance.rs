@@ -3,11 +3,11 @@
 /// SplitMix64 generator (Steele, Lea and Flood, "Fast splittable pseudorandom number generators",
 /// 2014). Exercises and samples depend on its sequence, so it must never change.
 #[derive(Clone, Debug)]
-pub struct SeededChance(u64);
+pub struct SeededRng(u64);
 
-impl SeededChance {
-    pub fn new(seed: u64) -> SeededChance {
-        SeededChance(seed)
+impl SeededRng {
+    pub fn new(seed: u64) -> SeededRng {
+        SeededRng(seed)
     }
 
     fn next(&mut self) -> u64 {
@@ -71,7 +71,7 @@ mod tests {
     /// The first numbers of seed 1234567, as other implementations of the generator produce them.
     #[test]
     fn generator_matches_other_implementations() {
-        let mut chance = SeededChance::new(1_234_567);
+        let mut chance = SeededRng::new(1_234_567);
         let first: Vec<u64> = (0..3).map(|_| chance.next()).collect();
         let known = [
             6_457_827_717_110_365_317,
@@ -84,7 +84,7 @@ mod tests {
     /// Checks the first four moments of many numbers.
     #[test]
     fn normal_numbers_have_normal_moments() {
-        let mut chance = SeededChance::new(3);
+        let mut chance = SeededRng::new(3);
         let count = 200_000;
         let mut sums = [0.0; 4];
         for _ in 0..count / 2 {
@@ -101,7 +101,7 @@ mod tests {
 
     #[test]
     fn ranges_include_both_ends() {
-        let mut chance = SeededChance::new(1);
+        let mut chance = SeededRng::new(1);
         let all: Vec<u32> = (0..200).map(|_| chance.between(3, 5)).collect();
         for number in 3..=5 {
             assert!(all.contains(&number));

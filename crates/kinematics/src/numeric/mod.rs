@@ -23,8 +23,8 @@ mod polynomial;
 mod root;
 mod turns;
 
-pub use chance::SeededChance;
+pub use chance::SeededRng;
 pub use lowest::{Unsettled, lowest};
 pub use polynomial::polynomial_roots;
-pub use root::{NoRoot, few_decimals, root, roots};
+pub use root::{RootError, few_decimals, root, roots};
 pub use turns::turns;

@@ -49,7 +49,7 @@ fn is_touched(terms: &[f64], x: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numeric::SeededChance;
+    use crate::numeric::SeededRng;
 
     /// Returns the polynomial with these roots.
     fn with(roots: &[f64]) -> Vec<f64> {
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn planted_roots_are_found_and_no_others() {
-        let mut chance = SeededChance::new(1);
+        let mut chance = SeededRng::new(1);
         for round in 0..300 {
             let mut planted: Vec<f64> = (0..=round % 6).map(|_| 3.0 * chance.even()).collect();
             planted.sort_by(f64::total_cmp);

@@ -10,7 +10,7 @@ const DECIMALS: f64 = 1e9;
 
 /// The reason why no root was found.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum NoRoot {
+pub enum RootError {
     /// The signs at both ends are equal, or one of the values is NaN.
     #[error("the signs at both places do not differ")]
     SameSign,
@@ -29,23 +29,23 @@ pub enum NoRoot {
 /// that is safe, bisection elsewhere.
 ///
 /// # Errors
-/// If no root was found: see [`NoRoot`].
+/// If no root was found: see [`RootError`].
 pub fn root(
     a: (f64, f64),
     b: (f64, f64),
     finest: f64,
     mut f: impl FnMut(f64) -> Option<f64>,
-) -> Result<f64, NoRoot> {
+) -> Result<f64, RootError> {
     if a.1 == 0.0 || b.1 == 0.0 {
         return Ok(if a.1 == 0.0 { a.0 } else { b.0 });
     }
     if !(a.1.signum() * b.1.signum() < 0.0) {
-        return Err(NoRoot::SameSign);
+        return Err(RootError::SameSign);
     }
     let (mut new, mut other, mut share) = (b, a, 0.5);
     for _ in 0..MAX_COUNT {
         let x = new.0 + share * (other.0 - new.0);
-        let here = (x, f(x).ok_or(NoRoot::Gap(x))?);
+        let here = (x, f(x).ok_or(RootError::Gap(x))?);
         let last = if (here.1 > 0.0) == (new.1 > 0.0) {
             new
         } else {
@@ -65,7 +65,7 @@ pub fn root(
         let least = tolerance / width;
         share = interpolated(new, other, last).clamp(least, 1.0 - least);
     }
-    Err(NoRoot::Unsettled(new.0.min(other.0), new.0.max(other.0)))
+    Err(RootError::Unsettled(new.0.min(other.0), new.0.max(other.0)))
 }
 
 /// Finds the roots between neighbouring positions, given in order, where the sign of `f` changes. A
@@ -128,7 +128,7 @@ pub fn few_decimals(at: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn of(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Result<f64, NoRoot> {
+    fn of(a: f64, b: f64, f: impl Fn(f64) -> f64) -> Result<f64, RootError> {
         root((a, f(a)), (b, f(b)), f64::MIN_POSITIVE, |x| Some(f(x)))
     }
 
@@ -163,14 +163,14 @@ mod tests {
 
     #[test]
     fn error_explains_missing_root() {
-        assert_eq!(of(1.0, 2.0, |x| x), Err(NoRoot::SameSign));
+        assert_eq!(of(1.0, 2.0, |x| x), Err(RootError::SameSign));
         let nan = root((0.0, f64::NAN), (1.0, 1.0), 1e-9, Some);
-        assert_eq!(nan, Err(NoRoot::SameSign));
+        assert_eq!(nan, Err(RootError::SameSign));
         let gap = root((0.0, -1.0), (1.0, 1.0), 1e-9, |_| None);
-        assert_eq!(gap, Err(NoRoot::Gap(0.5)));
+        assert_eq!(gap, Err(RootError::Gap(0.5)));
         // After 200 bisections, the interval is still wider than the smallest number.
         let step = |x: f64| if x > 0.0 { 1.0 } else { -1.0 };
-        let Err(NoRoot::Unsettled(low, high)) = of(-1.0, 1.0, step) else {
+        let Err(RootError::Unsettled(low, high)) = of(-1.0, 1.0, step) else {
             panic!("it cannot be settled");
         };
         assert!(

@@ -97,7 +97,7 @@ struct Matching {
 impl Matching {
     /// Shifts the matching along the alternating path to `gone`: each equation takes the scalar of
     /// the next one. The free equation at the start becomes matched, and `gone` becomes free.
-    fn hand_on(&mut self, part: &[Reached], gone: usize) {
+    fn shift_matching(&mut self, part: &[Reached], gone: usize) {
         self.scalar_of[part[gone].row] = None;
         let mut taken = part[gone];
         while let Some((from, scalar)) = taken.by {
@@ -169,7 +169,7 @@ pub(super) fn ordering(
         let gone_row = network.rows[part[gone].row];
         over.extend(part.iter().map(|reached| network.rows[reached.row]));
         set_aside.push(gone_row);
-        matched.hand_on(&part, gone);
+        matched.shift_matching(&part, gone);
     }
     let loose: Vec<usize> = (0..scalars.list.len())
         .filter(|&s| matched.row_of[s].is_none())

@@ -8,7 +8,7 @@ fn preset(name: &str) -> Scene {
 fn told(scene: &str, wishes: &[&str]) -> Result<Vec<Pick>, String> {
     let scene = preset(scene);
     let plan = Plan::of(&scene.mechanism).unwrap();
-    let wishes: Vec<Wish> = wishes.iter().map(|w| w.parse().unwrap()).collect();
+    let wishes: Vec<AssemblyRequest> = wishes.iter().map(|w| w.parse().unwrap()).collect();
     let picks = scene.picks(&plan, &wishes).map_err(|e| e.to_string())?;
     Ok(picks.iter().map(|p| p.1).collect())
 }
@@ -16,10 +16,14 @@ fn told(scene: &str, wishes: &[&str]) -> Result<Vec<Pick>, String> {
 #[test]
 fn assembly_request_round_trips_through_text() {
     for text in ["C=+", "C=-", "E=2", "B'=+"] {
-        assert_eq!(text.parse::<Wish>().unwrap().to_string(), text);
+        assert_eq!(text.parse::<AssemblyRequest>().unwrap().to_string(), text);
     }
     for wrong in ["C", "C=", "=+", "C=0", "C=-1", "C=++", "C=1.5", ""] {
-        assert_eq!(wrong.parse::<Wish>(), Err(Misread::Form), "{wrong:?}");
+        assert_eq!(
+            wrong.parse::<AssemblyRequest>(),
+            Err(AssemblyError::Form),
+            "{wrong:?}"
+        );
     }
 }
 

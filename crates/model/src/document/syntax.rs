@@ -8,10 +8,13 @@ use serde::Deserialize;
 use toml::de::{DeTable, DeValue, Deserializer, Error};
 
 /// A function that suggests a fix from the text, the parser's message and the place of the error.
-pub(crate) type Mend = fn(&str, &str, &ByteSpan) -> Option<String>;
+pub(crate) type SyntaxHint = fn(&str, &str, &ByteSpan) -> Option<String>;
 
 /// Deserializes the text leniently; returns `None` if the syntax errors leave nothing usable.
-pub fn parse<'t, T: Deserialize<'t>>(reader: &mut Reader<'t>, mend: Mend) -> Option<Lenient<T>> {
+pub fn parse<'t, T: Deserialize<'t>>(
+    reader: &mut Reader<'t>,
+    mend: SyntaxHint,
+) -> Option<Lenient<T>> {
     if let Some(message) = foreign(reader.text()) {
         reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
         return None;
@@ -30,7 +33,12 @@ pub fn has_key(text: &str, key: &str) -> bool {
 }
 
 /// Reports syntax errors; returns `false` if they leave nothing usable.
-fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[Error]) -> bool {
+fn is_whole(
+    reader: &mut Reader<'_>,
+    mend: SyntaxHint,
+    root: &DeTable<'_>,
+    errors: &[Error],
+) -> bool {
     let text = reader.text();
     let mut last_line = None;
     let mut whole = true;
@@ -64,7 +72,7 @@ fn is_whole(reader: &mut Reader<'_>, mend: Mend, root: &DeTable<'_>, errors: &[E
     whole
 }
 
-fn fault(text: &str, error: &Error, span: ByteSpan, mend: Mend) -> Diagnostic {
+fn fault(text: &str, error: &Error, span: ByteSpan, mend: SyntaxHint) -> Diagnostic {
     if let Some(fault) = decimal_comma(text, span.start) {
         return fault;
     }

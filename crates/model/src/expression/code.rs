@@ -256,7 +256,7 @@ fn arc_sine<T: Number, const N: usize>(sine: Jet<T, N>) -> Jet<T, N> {
     let cosine = other_leg(sine);
     if T::default().exceeds(sine.value()) {
         Jet::direction(cosine, sine.negative()).negative()
-    } else if sine.value().exceeds(T::exactly(UNDER_NOUGHT)) {
+    } else if sine.value().exceeds(T::exactly(BELOW_ZERO)) {
         Jet::direction(cosine, sine)
     } else {
         Jet::nothing()
@@ -267,7 +267,7 @@ fn arc_sine<T: Number, const N: usize>(sine: Jet<T, N>) -> Jet<T, N> {
 const HALF: f64 = 180.0;
 const TURN: f64 = 360.0;
 const OVER_HALF: f64 = 180.000_000_000_000_03;
-const UNDER_NOUGHT: f64 = -f64::MIN_POSITIVE;
+const BELOW_ZERO: f64 = -f64::MIN_POSITIVE;
 
 fn short_way<T: Number, const N: usize>(way: Jet<T, N>) -> Jet<T, N> {
     let turns = ((way.value().nearest() - HALF) / TURN).ceil();
@@ -282,7 +282,7 @@ fn short_way<T: Number, const N: usize>(way: Jet<T, N>) -> Jet<T, N> {
 
 fn uncut<T: Number, const N: usize>(direction: Jet<T, N>) -> Jet<T, N> {
     let value = direction.value();
-    let is_within = value.exceeds(T::exactly(UNDER_NOUGHT)) && T::exactly(TURN).exceeds(value);
+    let is_within = value.exceeds(T::exactly(BELOW_ZERO)) && T::exactly(TURN).exceeds(value);
     match is_within {
         true => direction,
         false => Jet::nothing(),

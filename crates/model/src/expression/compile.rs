@@ -4,7 +4,7 @@ use super::code::{Code, Op};
 use super::dimension::{Dimension, LengthScale, METRE};
 use super::parser::glued;
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenUnit};
-use super::{Malformed, code::Excess};
+use super::{FormulaError, code::Excess};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -149,7 +149,7 @@ pub(crate) fn compile(
     tree: &ExpressionTree,
     length: LengthScale,
     names: NamedPart<'_>,
-) -> Result<(Code, Kind), Malformed> {
+) -> Result<(Code, Kind), FormulaError> {
     let mut compiler = Compiler {
         text,
         length,
@@ -161,7 +161,7 @@ pub(crate) fn compile(
             Excess::Steps => words().formula_has_too_many_steps(),
             Excess::Rates => words().formula_has_no_such_rate(),
         };
-        Malformed::new(tree.span.clone(), message)
+        FormulaError::new(tree.span.clone(), message)
     })?;
     Ok((code, kind))
 }
@@ -173,7 +173,7 @@ struct Compiler<'c> {
 }
 
 impl Compiler<'_> {
-    fn part(&mut self, tree: &ExpressionTree) -> Result<Part, Malformed> {
+    fn part(&mut self, tree: &ExpressionTree) -> Result<Part, FormulaError> {
         match &tree.node {
             Node::Number(number, unit) => self.number(number.value, unit.as_ref(), &tree.span),
             Node::Name(name) => self.named(name, &tree.span),
@@ -206,7 +206,7 @@ impl Compiler<'_> {
         value: f64,
         unit: Option<&WrittenUnit>,
         span: &Range<usize>,
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         let mut part = Part::constant(value);
         let Some(unit) = unit else {
             return Ok(part);
@@ -226,7 +226,7 @@ impl Compiler<'_> {
         Ok(part.of(unit.dimension))
     }
 
-    fn named(&mut self, name: &str, span: &Range<usize>) -> Result<Part, Malformed> {
+    fn named(&mut self, name: &str, span: &Range<usize>) -> Result<Part, FormulaError> {
         if name == "pi" {
             return Ok(Part {
                 ops: vec![Op::Pi],
@@ -237,9 +237,9 @@ impl Compiler<'_> {
             });
         }
         (self.names)(name).map_err(|help| {
-            let fault = Malformed::new(span.clone(), words().no_quantity(name, ""));
+            let fault = FormulaError::new(span.clone(), words().no_quantity(name, ""));
             let help = help.or_else(|| slip(name));
-            Malformed { help, ..fault }
+            FormulaError { help, ..fault }
         })
     }
 
@@ -250,7 +250,7 @@ impl Compiler<'_> {
         b: Part,
         op: Op,
         trees: [&ExpressionTree; 2],
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         let subtracts = op == Op::Subtract;
         let angle = |part: &Part| part.kind.dimension.is_angle();
         match (a.kind.revolution, b.kind.revolution) {
@@ -277,7 +277,7 @@ impl Compiler<'_> {
         b: Part,
         op: Op,
         trees: [&ExpressionTree; 2],
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         let (left, right) = (a.kind.dimension, b.kind.dimension);
         if !left.adds_to(right) {
             let span = trees[0].span.start..trees[1].span.end;
@@ -285,7 +285,7 @@ impl Compiler<'_> {
                 let unit = dimension.symbol(self.length.symbol);
                 words().measured_in(self.text.get(tree.span.clone()).unwrap_or(""), &unit)
             });
-            let fault = Malformed::new(span, words().do_not_go_together(&one, &other));
+            let fault = FormulaError::new(span, words().do_not_go_together(&one, &other));
             let is_bare = left.is_number() != right.is_number();
             return Err(match is_bare {
                 true => fault.help(words().numbers_need_units()),
@@ -307,7 +307,7 @@ impl Compiler<'_> {
         Ok(a.with(b, op, dimension))
     }
 
-    fn product(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, Malformed> {
+    fn product(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, FormulaError> {
         // A multiple of an angle stays in degrees.
         let degrees = |factor: &Part, of: &Part| factor.is_factor() && of.kind.dimension.degrees;
         if degrees(&a, &b) || degrees(&b, &a) {
@@ -321,7 +321,7 @@ impl Compiler<'_> {
         Ok(a.with(b, Op::Multiply, dimension))
     }
 
-    fn quotient(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, Malformed> {
+    fn quotient(&self, a: Part, b: Part, tree: &ExpressionTree) -> Result<Part, FormulaError> {
         if b.is_factor() && a.kind.dimension.degrees {
             return Ok(a.number().with(b, Op::Divide, Dimension::DEGREES));
         }
@@ -336,7 +336,7 @@ impl Compiler<'_> {
         function: MathFunction,
         given: &[ExpressionTree],
         tree: &ExpressionTree,
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         let mut parts = Vec::with_capacity(given.len());
         for tree in given {
             parts.push(self.part(tree)?);
@@ -368,7 +368,7 @@ impl Compiler<'_> {
                 let Some(root) = part.kind.dimension.root() else {
                     let unit = part.kind.dimension.symbol(self.length.symbol);
                     let message = words().no_root_of(&unit);
-                    return Err(Malformed::new(tree.span.clone(), message));
+                    return Err(FormulaError::new(tree.span.clone(), message));
                 };
                 Ok(part.then(Op::Sqrt).of(root))
             }
@@ -380,7 +380,7 @@ impl Compiler<'_> {
             // Not supported for variables: these functions have no rates here.
             MathFunction::Exp | MathFunction::Ln | MathFunction::Log10 => {
                 let message = words().of_plain_numbers_only(function.name());
-                Err(Malformed::new(tree.span.clone(), message))
+                Err(FormulaError::new(tree.span.clone(), message))
             }
         }
     }
@@ -391,13 +391,13 @@ impl Compiler<'_> {
         function: MathFunction,
         op: Op,
         tree: &ExpressionTree,
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         if part.kind.dimension.is_angle() {
             return Ok(part.degrees().then(op).of(Dimension::NUMBER));
         }
         let unit = part.kind.dimension.symbol(self.length.symbol);
         let message = words().takes_an_angle(function.name(), &unit);
-        Err(Malformed::new(tree.span.clone(), message).help(words().angles_have_units()))
+        Err(FormulaError::new(tree.span.clone(), message).help(words().angles_have_units()))
     }
 
     fn of_number(
@@ -406,13 +406,13 @@ impl Compiler<'_> {
         function: MathFunction,
         op: Op,
         tree: &ExpressionTree,
-    ) -> Result<Part, Malformed> {
+    ) -> Result<Part, FormulaError> {
         if part.kind.dimension.is_number() {
             return Ok(part.then(op).of(Dimension::DEGREES));
         }
         let unit = part.kind.dimension.symbol(self.length.symbol);
         let message = words().takes_a_number(function.name(), &unit);
-        Err(Malformed::new(tree.span.clone(), message))
+        Err(FormulaError::new(tree.span.clone(), message))
     }
 }
 
@@ -426,8 +426,8 @@ fn turned(part: Part, revolution: Revolution) -> Part {
     part
 }
 
-fn beyond_use(span: &Range<usize>) -> Malformed {
-    Malformed::new(span.clone(), words().unit_beyond_use())
+fn beyond_use(span: &Range<usize>) -> FormulaError {
+    FormulaError::new(span.clone(), words().unit_beyond_use())
 }
 
 /// Returns a hint for a word that names nothing.

@@ -4,7 +4,7 @@ use super::dimension::METRE;
 use super::elementary::{self, DEGREES, PI};
 use super::tree::{ExpressionTree, MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
 use super::wide::Wide;
-use super::{Dimension, LengthScale, Malformed};
+use super::{Dimension, FormulaError, LengthScale};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -50,7 +50,7 @@ pub(crate) fn evaluate(
     tree: &ExpressionTree,
     length: LengthScale,
     names: NamedWorth<'_>,
-) -> Result<MeasuredNumber, Malformed> {
+) -> Result<MeasuredNumber, FormulaError> {
     let evaluator = Evaluator {
         text,
         length,
@@ -67,7 +67,7 @@ pub(crate) fn evaluate(
         }
         _ => return Ok(found),
     };
-    Err(Malformed::new(tree.span.clone(), message))
+    Err(FormulaError::new(tree.span.clone(), message))
 }
 
 /// The context for the evaluation of a tree.
@@ -79,7 +79,7 @@ struct Evaluator<'e> {
 
 impl Evaluator<'_> {
     /// Evaluates a part.
-    fn worth(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
+    fn worth(&self, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
         let MeasuredNumber { value, dimension } = match &tree.node {
             Node::Number(number, unit) => self.number(number, unit.as_ref(), tree)?,
             Node::Name(name) if name == "pi" => MeasuredNumber::plain(PI.clone()),
@@ -104,9 +104,9 @@ impl Evaluator<'_> {
     }
 
     /// Returns the fault of a part without a numeric value.
-    fn nothing(&self, tree: &ExpressionTree) -> Malformed {
+    fn nothing(&self, tree: &ExpressionTree) -> FormulaError {
         let message = words().has_no_worth(self.quoted(tree));
-        Malformed::new(tree.span.clone(), message)
+        FormulaError::new(tree.span.clone(), message)
     }
 
     fn number(
@@ -114,7 +114,7 @@ impl Evaluator<'_> {
         number: &WrittenNumber,
         unit: Option<&WrittenUnit>,
         tree: &ExpressionTree,
-    ) -> Result<MeasuredNumber, Malformed> {
+    ) -> Result<MeasuredNumber, FormulaError> {
         let mut found = Wide::decimal(&number.digits).ok_or_else(|| self.nothing(tree))?;
         let Some(unit) = unit else {
             return Ok(MeasuredNumber::plain(found));
@@ -151,10 +151,10 @@ impl Evaluator<'_> {
         Ok(MeasuredNumber::plain(found).measuring(dimension))
     }
 
-    fn named(&self, name: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
-        (self.names)(name).map_err(|help| Malformed {
+    fn named(&self, name: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
+        (self.names)(name).map_err(|help| FormulaError {
             help,
-            ..Malformed::new(tree.span.clone(), words().no_parameter(name))
+            ..FormulaError::new(tree.span.clone(), words().no_parameter(name))
         })
     }
 
@@ -162,7 +162,7 @@ impl Evaluator<'_> {
         &self,
         operation: Operation,
         sides: &[ExpressionTree; 2],
-    ) -> Result<MeasuredNumber, Malformed> {
+    ) -> Result<MeasuredNumber, FormulaError> {
         let [left, right] = sides;
         let (a, b) = (self.worth(left)?, self.worth(right)?);
         let (value, dimension) = match operation {
@@ -202,9 +202,9 @@ impl Evaluator<'_> {
     }
 
     /// Returns the fault of a division by zero.
-    fn by_nothing(&self, tree: &ExpressionTree) -> Malformed {
+    fn by_nothing(&self, tree: &ExpressionTree) -> FormulaError {
         let message = words().divided_by_nothing(self.quoted(tree));
-        Malformed::new(tree.span.clone(), message)
+        FormulaError::new(tree.span.clone(), message)
     }
 
     /// Returns the common dimension of two added or compared values.
@@ -212,7 +212,7 @@ impl Evaluator<'_> {
         &self,
         one: (&MeasuredNumber, &ExpressionTree),
         other: (&MeasuredNumber, &ExpressionTree),
-    ) -> Result<Option<Dimension>, Malformed> {
+    ) -> Result<Option<Dimension>, FormulaError> {
         match (one.0.dimension, other.0.dimension) {
             (Some(a), Some(b)) if !are_alike(a, b) => Err(self.apart(one, other)),
             (a, b) => Ok(a.or(b)),
@@ -224,31 +224,31 @@ impl Evaluator<'_> {
         &self,
         one: (&MeasuredNumber, &ExpressionTree),
         other: (&MeasuredNumber, &ExpressionTree),
-    ) -> Malformed {
+    ) -> FormulaError {
         let span = one.1.span.start..other.1.span.end;
         let told = |(found, tree): (&MeasuredNumber, &ExpressionTree)| {
             let dimension = found.dimension.unwrap_or(Dimension::NUMBER);
             words().measured_in(self.quoted(tree), &dimension.symbol(self.length.symbol))
         };
         let message = words().do_not_go_together(&told(one), &told(other));
-        Malformed::new(span, message).help(words().units_stand_alone())
+        FormulaError::new(span, message).help(words().units_stand_alone())
     }
 
     /// Returns the fault of multiplied or divided units.
-    fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> Malformed {
+    fn of_units(&self, span: &Range<usize>, told: impl Fn(&str) -> String) -> FormulaError {
         let message = told(self.text.get(span.clone()).unwrap_or(""));
-        Malformed::new(span.clone(), message).help(words().units_divide_their_like())
+        FormulaError::new(span.clone(), message).help(words().units_divide_their_like())
     }
 
     /// Evaluates a part that must be a plain number.
-    fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
+    fn plain(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, FormulaError> {
         let found = self.worth(tree)?;
         match found.dimension {
             None => Ok(found.value),
             Some(dimension) => {
                 let unit = dimension.symbol(self.length.symbol);
                 let message = words().takes_a_number(function, &unit);
-                Err(Malformed::new(tree.span.clone(), message))
+                Err(FormulaError::new(tree.span.clone(), message))
             }
         }
     }
@@ -258,7 +258,7 @@ impl Evaluator<'_> {
         of: &ExpressionTree,
         exponent: i8,
         tree: &ExpressionTree,
-    ) -> Result<MeasuredNumber, Malformed> {
+    ) -> Result<MeasuredNumber, FormulaError> {
         let base = self.worth(of)?;
         if base.dimension.is_some() {
             return Err(self.of_units(&tree.span, |power| words().units_multiplied(power)));
@@ -278,7 +278,7 @@ impl Evaluator<'_> {
         function: MathFunction,
         given: &[ExpressionTree],
         tree: &ExpressionTree,
-    ) -> Result<MeasuredNumber, Malformed> {
+    ) -> Result<MeasuredNumber, FormulaError> {
         let name = function.name();
         let Some(first) = given.first() else {
             return Err(self.nothing(tree));
@@ -344,13 +344,13 @@ impl Evaluator<'_> {
     }
 
     /// Evaluates an angle in degrees, with or without a unit.
-    fn angle(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, Malformed> {
+    fn angle(&self, tree: &ExpressionTree, function: &str) -> Result<Wide, FormulaError> {
         let found = self.worth(tree)?;
         match found.dimension {
             Some(dimension) if !dimension.is_angle() => {
                 let unit = dimension.symbol(self.length.symbol);
                 let message = words().takes_an_angle(function, &unit);
-                Err(Malformed::new(tree.span.clone(), message))
+                Err(FormulaError::new(tree.span.clone(), message))
             }
             _ => Ok(found.value),
         }
@@ -361,7 +361,7 @@ impl Evaluator<'_> {
         &self,
         given: &[ExpressionTree],
         join: impl Fn(Wide, Wide) -> Wide,
-    ) -> Result<MeasuredNumber, Malformed> {
+    ) -> Result<MeasuredNumber, FormulaError> {
         let mut all: Option<(MeasuredNumber, &ExpressionTree)> = None;
         for tree in given {
             let found = self.worth(tree)?;

@@ -1,6 +1,6 @@
 //! Splits a formula into lexemes.
 
-use super::{Malformed, is_of_name};
+use super::{FormulaError, is_of_name};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -30,7 +30,10 @@ impl<'t> Lexer<'t> {
 
     /// Returns the next lexeme and its position. With `is_operand`, an operand must follow, so that
     /// a `-` is a sign.
-    pub(super) fn next(&mut self, is_operand: bool) -> Result<(Lexeme, Range<usize>), Malformed> {
+    pub(super) fn next(
+        &mut self,
+        is_operand: bool,
+    ) -> Result<(Lexeme, Range<usize>), FormulaError> {
         let rest = self.text[self.at..].trim_start();
         let from = self.text.len() - rest.len();
         let Some(first) = rest.chars().next() else {
@@ -47,23 +50,26 @@ impl<'t> Lexer<'t> {
         if !is_of_name(first) {
             let shown: String = first.escape_debug().collect();
             let span = from..from + first.len_utf8();
-            return Err(Malformed::new(span, words().no_part_of_a_formula(&shown)));
+            return Err(FormulaError::new(
+                span,
+                words().no_part_of_a_formula(&shown),
+            ));
         }
         let end = from + self.word_length(rest);
         let span = from..end;
         self.at = end;
         let word = &self.text[span.clone()];
         if first == '-' {
-            let fault = Malformed::new(span, words().minus_without_blank(word));
+            let fault = FormulaError::new(span, words().minus_without_blank(word));
             return Err(fault.help(words().minus_between_blanks()));
         }
         let is_beyond = is_digital(word) && word.parse().is_ok_and(f64::is_infinite);
         if is_beyond {
-            return Err(Malformed::new(span, words().number_too_large(word)));
+            return Err(FormulaError::new(span, words().number_too_large(word)));
         }
         let is_lost = number(word) == Some(0.0) && has_digits(word);
         if is_lost {
-            return Err(Malformed::new(span, words().number_too_small(word)));
+            return Err(FormulaError::new(span, words().number_too_small(word)));
         }
         Ok((number(word).map_or(Lexeme::Name, Lexeme::Number), span))
     }

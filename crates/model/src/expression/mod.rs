@@ -47,7 +47,7 @@ pub const MAX_LEN: usize = 1000;
 
 /// A fault in a formula, with its position in the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Malformed {
+pub(crate) struct FormulaError {
     /// The bytes with the fault.
     pub(crate) span: Range<usize>,
     /// A description of the fault.
@@ -56,9 +56,9 @@ pub(crate) struct Malformed {
     pub(crate) help: Option<String>,
 }
 
-impl Malformed {
+impl FormulaError {
     fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Malformed {
+        FormulaError {
             span,
             message: message.into(),
             help: None,
@@ -66,7 +66,7 @@ impl Malformed {
     }
 
     fn help(self, help: impl Into<String>) -> Self {
-        Malformed {
+        FormulaError {
             help: Some(help.into()),
             ..self
         }

@@ -12,7 +12,7 @@ use super::dimension::{MAX_POWER, METRE};
 use super::lexer::{Lexeme, Lexer, number};
 use super::tree::{MathFunction, Node, Operation, WrittenNumber, WrittenUnit};
 use super::unit_words::{is_of_unit, is_unit, unit_named};
-use super::{Dimension, ExpressionTree, MAX_LEN, Malformed, is_of_name};
+use super::{Dimension, ExpressionTree, FormulaError, MAX_LEN, is_of_name};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::ops::Range;
@@ -26,9 +26,9 @@ const MAX_EXPONENT: u8 = 8;
 ///
 /// # Errors
 /// The first fault.
-pub(crate) fn parse(text: &str) -> Result<ExpressionTree, Malformed> {
+pub(crate) fn parse(text: &str) -> Result<ExpressionTree, FormulaError> {
     if text.len() > MAX_LEN {
-        return Err(Malformed::new(
+        return Err(FormulaError::new(
             0..text.len(),
             words().formula_too_long(MAX_LEN),
         ));
@@ -50,13 +50,15 @@ struct Parser<'t> {
 }
 
 impl Parser<'_> {
-    fn unexpected(&self, span: Range<usize>, wanted: &str) -> Malformed {
+    fn unexpected(&self, span: Range<usize>, wanted: &str) -> FormulaError {
         let help = self.point_for_comma(&span);
         let fault = match self.lexer.text.get(span.clone()) {
-            None | Some("") => Malformed::new(span, words().formula_ends_early(wanted)),
-            Some(found) => Malformed::new(span.clone(), words().expected_in_formula(wanted, found)),
+            None | Some("") => FormulaError::new(span, words().formula_ends_early(wanted)),
+            Some(found) => {
+                FormulaError::new(span.clone(), words().expected_in_formula(wanted, found))
+            }
         };
-        Malformed { help, ..fault }
+        FormulaError { help, ..fault }
     }
 
     /// Returns a hint for a comma between digits.
@@ -70,7 +72,7 @@ impl Parser<'_> {
     }
 
     /// Consumes and returns the next mark, if it is one of these.
-    fn mark(&mut self, marks: &[char]) -> Result<Option<char>, Malformed> {
+    fn mark(&mut self, marks: &[char]) -> Result<Option<char>, FormulaError> {
         let mut ahead = self.lexer.clone();
         let (Lexeme::Mark(mark), _) = ahead.next(false)? else {
             return Ok(None);
@@ -84,19 +86,22 @@ impl Parser<'_> {
 
     fn deeper<R>(
         &mut self,
-        read: impl FnOnce(&mut Self) -> Result<R, Malformed>,
-    ) -> Result<R, Malformed> {
+        read: impl FnOnce(&mut Self) -> Result<R, FormulaError>,
+    ) -> Result<R, FormulaError> {
         self.depth += 1;
         if self.depth > MAX_DEPTH {
             let at = self.lexer.at();
-            return Err(Malformed::new(at..at, words().formula_too_deep(MAX_DEPTH)));
+            return Err(FormulaError::new(
+                at..at,
+                words().formula_too_deep(MAX_DEPTH),
+            ));
         }
         let read = read(self);
         self.depth -= 1;
         read
     }
 
-    fn sum(&mut self) -> Result<ExpressionTree, Malformed> {
+    fn sum(&mut self) -> Result<ExpressionTree, FormulaError> {
         let mut left = self.product()?;
         while let Some(mark) = self.mark(&['+', '-'])? {
             let right = self.product()?;
@@ -109,7 +114,7 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    fn product(&mut self) -> Result<ExpressionTree, Malformed> {
+    fn product(&mut self) -> Result<ExpressionTree, FormulaError> {
         let mut left = self.signed()?;
         while let Some(mark) = self.mark(&['*', '/'])? {
             let right = self.signed()?;
@@ -122,7 +127,7 @@ impl Parser<'_> {
         Ok(left)
     }
 
-    fn signed(&mut self) -> Result<ExpressionTree, Malformed> {
+    fn signed(&mut self) -> Result<ExpressionTree, FormulaError> {
         let mut ahead = self.lexer.clone();
         let (Lexeme::Mark('-'), span) = ahead.next(true)? else {
             return self.power();
@@ -135,7 +140,7 @@ impl Parser<'_> {
         })
     }
 
-    fn power(&mut self) -> Result<ExpressionTree, Malformed> {
+    fn power(&mut self) -> Result<ExpressionTree, FormulaError> {
         let base = self.atom()?;
         if self.mark(&['^'])?.is_none() {
             return Ok(base);
@@ -156,13 +161,13 @@ impl Parser<'_> {
             _ => None,
         };
         let Some(node) = node else {
-            let fault = Malformed::new(from..span.end, words().exponent_must_be_number());
+            let fault = FormulaError::new(from..span.end, words().exponent_must_be_number());
             return Err(fault.help(words().exponents_go_to(MAX_EXPONENT.into())));
         };
         Ok(ExpressionTree { span, node })
     }
 
-    fn atom(&mut self) -> Result<ExpressionTree, Malformed> {
+    fn atom(&mut self) -> Result<ExpressionTree, FormulaError> {
         let (lexeme, span) = self.lexer.next(true)?;
         match lexeme {
             Lexeme::Number(value) => {
@@ -187,14 +192,14 @@ impl Parser<'_> {
     }
 
     /// Consumes a closing bracket and returns its end.
-    fn close(&mut self) -> Result<usize, Malformed> {
+    fn close(&mut self) -> Result<usize, FormulaError> {
         match self.lexer.next(false)? {
             (Lexeme::Mark(')'), span) => Ok(span.end),
             (_, span) => Err(self.unexpected(span, words().closing_bracket())),
         }
     }
 
-    fn named(&mut self, span: Range<usize>) -> Result<ExpressionTree, Malformed> {
+    fn named(&mut self, span: Range<usize>) -> Result<ExpressionTree, FormulaError> {
         let name = &self.lexer.text[span.clone()];
         if self.mark(&['('])?.is_none() {
             let node = Node::Name(name.to_owned());
@@ -203,7 +208,7 @@ impl Parser<'_> {
         let mut all = MathFunction::ALL.into_iter();
         let Some(function) = all.find(|function| function.name() == name) else {
             let names = MathFunction::ALL.map(MathFunction::name);
-            let fault = Malformed::new(span, words().no_function(name));
+            let fault = FormulaError::new(span, words().no_function(name));
             let listed = || words().functions_are(&names.join(", "));
             let help = did_you_mean(name, names).unwrap_or_else(listed);
             return Err(fault.help(help));
@@ -217,14 +222,14 @@ impl Parser<'_> {
         let (least, most) = function.takes();
         if !(least..=most).contains(&given.len()) {
             let fault = words().function_takes(name, least, most, given.len());
-            return Err(Malformed::new(span, fault));
+            return Err(FormulaError::new(span, fault));
         }
         let node = Node::Call(function, given);
         Ok(ExpressionTree { span, node })
     }
 
     /// Parses the unit following a number, if there is one: `mm`, `rad/s^2`, `N m`.
-    fn unit(&mut self) -> Result<Option<WrittenUnit>, Malformed> {
+    fn unit(&mut self) -> Result<Option<WrittenUnit>, FormulaError> {
         let text = self.lexer.text;
         let from = text.len() - text[self.lexer.at()..].trim_start().len();
         let Some((mut unit, mut end)) = unit_part(text, from, 1) else {
@@ -238,7 +243,7 @@ impl Parser<'_> {
             };
             let Some((part, part_end)) = next else { break };
             let joined = unit.dimension.times(part.dimension);
-            let too_much = || Malformed::new(from..part_end, words().unit_beyond_use());
+            let too_much = || FormulaError::new(from..part_end, words().unit_beyond_use());
             unit.dimension = joined.ok_or_else(too_much)?;
             unit.lengths.extend(part.lengths);
             let degrees = unit.degrees.checked_add(part.degrees);

@@ -23,7 +23,7 @@ fn leaf(name: &str) -> Result<Part, Option<String>> {
     Ok(Part { ops, kind })
 }
 
-fn compiled(text: &str) -> Result<(Code, Kind), Malformed> {
+fn compiled(text: &str) -> Result<(Code, Kind), FormulaError> {
     let tree = parse(text)?;
     compile(text, &tree, MM, &mut leaf)
 }

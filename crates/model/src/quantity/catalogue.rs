@@ -1,6 +1,6 @@
 //! Lists all quantities of a scene by name.
 
-use super::{Aspect, FigureSource, Quantity, Share, Subject, magnitude};
+use super::{Aspect, Quantity, QuantitySource, Share, Subject, magnitude};
 use crate::expression::{LengthScale, Part};
 use crate::nearest::nearest;
 use crate::scene::Scene;
@@ -214,7 +214,7 @@ impl Catalogue {
         self.quantities.push(Quantity {
             name,
             unit: aspect.unit(scene.unit.symbol()),
-            source: FigureSource::Solved(subject, aspect),
+            source: QuantitySource::Solved(subject, aspect),
         });
     }
 

@@ -7,7 +7,7 @@
 //! time use the rates of the driver's actual speed, so that the slope of a position over time is
 //! the velocity shown next to it.
 
-use super::{Aspect, FigureSource, Quantity, Subject, value};
+use super::{Aspect, Quantity, QuantitySource, Subject, value};
 use crate::arithmetic::Sharp;
 use crate::scene::Scene;
 use crate::solver::{Order, Range, State};
@@ -275,8 +275,8 @@ pub(super) fn paced(quantity: &Quantity, state: &State, pace: Option<Pace>) -> O
         return quantity.value(state);
     };
     let paced = match &quantity.source {
-        FigureSource::Solved(subject, aspect) => solved(*subject, *aspect, state, pace),
-        FigureSource::Derived(derived) => {
+        QuantitySource::Solved(subject, aspect) => solved(*subject, *aspect, state, pace),
+        QuantitySource::Derived(derived) => {
             derived.run(|subject, aspect| solved(subject, aspect, state, pace))
         }
     };

@@ -1,9 +1,9 @@
 //! Defines quantities by formulas, in a scene or in `--columns`.
 
 use super::derived::Leaf;
-use super::{Catalogue, Derived, FigureSource, Quantity, magnitude};
+use super::{Catalogue, Derived, Quantity, QuantitySource, magnitude};
 use crate::document::{Diagnostic, Diagnostics};
-use crate::expression::{self, ExpressionTree, Malformed, compile};
+use crate::expression::{self, ExpressionTree, FormulaError, compile};
 use crate::nearest::did_you_mean;
 use crate::scene::{NamedFormula, Scene, is_figure_name, reserved_for_figures};
 use crate::wording::words;
@@ -49,7 +49,7 @@ impl Catalogue {
             return Err(words().name_of_figure_taken(name));
         }
         let of_formula =
-            |fault: Malformed| format!("{}: {}", words().in_formula_of(name), fault.words());
+            |fault: FormulaError| format!("{}: {}", words().in_formula_of(name), fault.words());
         let tree = expression::parse(text).map_err(of_formula)?;
         let derived = self.derived(text, &tree, &self.index());
         let derived = derived.map_err(of_formula)?;
@@ -88,7 +88,7 @@ impl Catalogue {
         }
         let rest = (0..figures.len()).filter(|number| !order.contains(number));
         for figure in rest.map(|number| &figures[number]) {
-            let fault = Malformed {
+            let fault = FormulaError {
                 span: figure.tree.span.clone(),
                 message: words().formula_uses_itself(&figure.name),
                 help: None,
@@ -108,7 +108,7 @@ impl Catalogue {
         let quantity = Quantity {
             name: name.to_owned(),
             unit: derived.kind().dimension.symbol(self.length.symbol),
-            source: FigureSource::Derived(Arc::new(derived)),
+            source: QuantitySource::Derived(Arc::new(derived)),
         };
         self.defined.push(quantity.clone());
         quantity
@@ -119,7 +119,7 @@ impl Catalogue {
         text: &str,
         tree: &ExpressionTree,
         index: &HashMap<String, usize>,
-    ) -> Result<Derived, Malformed> {
+    ) -> Result<Derived, FormulaError> {
         let mut leaves: Vec<Leaf> = Vec::new();
         let mut names = |name: &str| {
             let mut parameters = self.parameters.iter();
@@ -139,7 +139,7 @@ impl Catalogue {
             Ok(magnitude::part(&found, &mut leaves))
         };
         let (code, kind) = compile(text, tree, self.length, &mut names)?;
-        Derived::new(leaves, code, kind).map_err(|of| Malformed {
+        Derived::new(leaves, code, kind).map_err(|of| FormulaError {
             span: tree.span.clone(),
             message: words().no_rate_of(&of),
             help: None,

@@ -1,7 +1,7 @@
 //! Explains why existing values are not shown: forces that fail their check, and values too large
 //! for a double.
 
-use super::{Aspect, FigureSource, Quantity, Share, Subject};
+use super::{Aspect, Quantity, QuantitySource, Share, Subject};
 use crate::solver::{ForceCheck, Order, State, Withheld};
 use crate::wording::words;
 
@@ -116,10 +116,10 @@ impl Quantity {
         match self.source {
             // Two coincident points have no direction, which gives NaN but is no overflow. The same
             // applies to indeterminate formulas.
-            FigureSource::Solved(Subject::Between(..), _) | FigureSource::Derived(_) => {
+            QuantitySource::Solved(Subject::Between(..), _) | QuantitySource::Derived(_) => {
                 found.is_some_and(f64::is_infinite)
             }
-            FigureSource::Solved(..) => found.is_some_and(|value| !value.is_finite()),
+            QuantitySource::Solved(..) => found.is_some_and(|value| !value.is_finite()),
         }
     }
 }

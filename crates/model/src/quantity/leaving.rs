@@ -5,7 +5,7 @@ use crate::{LimitId, MotionLaw};
 
 /// A motion over time that continues beyond the mechanism's range.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MotionLeaves {
+pub struct MotionOutOfRange {
     /// The time at which it leaves the range, in s from the scene's start.
     pub time: f64,
     /// The driver's coordinate at that time, in degrees or in the scene's length unit.
@@ -14,17 +14,17 @@ pub struct MotionLeaves {
     pub stop: Option<LimitId>,
 }
 
-impl MotionLeaves {
+impl MotionOutOfRange {
     /// Returns where a motion law first leaves the range; `None` if it stays within.
     #[must_use]
-    pub fn of(law: &MotionLaw, solver: &Solver) -> Option<MotionLeaves> {
+    pub fn of(law: &MotionLaw, solver: &Solver) -> Option<MotionOutOfRange> {
         let motion = solver.motion();
         let Range::Limited { low, high } = motion.range else {
             return None;
         };
         let [time, at] = law.leaves([low, high])?;
         let stop = motion.stops.iter().find(|stop| stop.at == at);
-        Some(MotionLeaves {
+        Some(MotionOutOfRange {
             time,
             at,
             stop: stop.map(|stop| stop.limit),

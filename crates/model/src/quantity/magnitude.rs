@@ -1,7 +1,7 @@
 //! Computes magnitudes and directions of vectors: `C.v`, `C.v.angle`, `C.a.t`, `r3.B.f`.
 
 use super::derived::{Derived, Leaf, number};
-use super::{Aspect, FigureSource, Quantity};
+use super::{Aspect, Quantity, QuantitySource};
 use crate::expression::{Code, Dimension, Kind, Op, Part, Revolution};
 use std::sync::Arc;
 
@@ -68,13 +68,13 @@ impl Magnitude {
     /// Creates the quantity from the components at the beginning of the list, if they are there.
     fn at(&self, figures: &[Quantity]) -> Option<Quantity> {
         let first = figures.first()?;
-        let FigureSource::Solved(subject, first_aspect) = first.source else {
+        let QuantitySource::Solved(subject, first_aspect) = first.source else {
             return None;
         };
         let base = first.name.strip_suffix(first_aspect.name())?;
         let components = figures.get(..self.of.len())?;
         let fits = |(figure, aspect): (&Quantity, &Aspect)| {
-            figure.source == FigureSource::Solved(subject, *aspect)
+            figure.source == QuantitySource::Solved(subject, *aspect)
         };
         if !components.iter().zip(self.of).all(fits) {
             return None;
@@ -104,7 +104,7 @@ impl Magnitude {
         Some(Quantity {
             name: format!("{base}{}", self.name),
             unit,
-            source: FigureSource::Derived(Arc::new(derived)),
+            source: QuantitySource::Derived(Arc::new(derived)),
         })
     }
 }
@@ -127,8 +127,8 @@ pub(super) fn find(figures: &[Quantity], name: &str) -> Option<Quantity> {
 /// Returns the steps of a quantity as a part of a formula.
 pub(super) fn part(quantity: &Quantity, leaves: &mut Vec<Leaf>) -> Part {
     match &quantity.source {
-        FigureSource::Derived(derived) => derived.part(leaves),
-        FigureSource::Solved(subject, aspect) => {
+        QuantitySource::Derived(derived) => derived.part(leaves),
+        QuantitySource::Solved(subject, aspect) => {
             let leaf = Leaf {
                 subject: *subject,
                 aspect: *aspect,

@@ -5,18 +5,18 @@ use crate::{DriverMoment, Number};
 
 /// A driver's coordinate, with its rates if these are not the scene's.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DriverStand {
+pub struct DriverState {
     /// The coordinate, in degrees or in the scene's length unit.
     pub at: f64,
     /// The speed and acceleration, in a scene with a motion law.
     pub pace: Option<DriverMoment>,
 }
 
-impl DriverStand {
+impl DriverState {
     /// Creates a state that passes the coordinate with the scene's speed.
     #[must_use]
-    pub fn at(at: f64) -> DriverStand {
-        DriverStand { at, pace: None }
+    pub fn at(at: f64) -> DriverState {
+        DriverState { at, pace: None }
     }
 
     /// Sets the driver's rates for the next solutions in this workspace, see [`Solver::drive`].

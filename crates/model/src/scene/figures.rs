@@ -2,7 +2,7 @@
 
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Entries, Lenient};
-use crate::expression::{self, ExpressionTree, Malformed};
+use crate::expression::{self, ExpressionTree, FormulaError};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -39,12 +39,12 @@ impl FormulaPlace {
     }
 
     /// Returns the diagnostic of a fault in a value's formula, with its place in the file.
-    pub(crate) fn diagnostic(&self, figure: &str, fault: &Malformed) -> Diagnostic {
+    pub(crate) fn diagnostic(&self, figure: &str, fault: &FormulaError) -> Diagnostic {
         self.fault(&words().figure_called(&quoted(figure)), fault)
     }
 
     /// Returns the diagnostic of a fault in any formula; `what` names the formula.
-    pub(super) fn fault(&self, what: &str, fault: &Malformed) -> Diagnostic {
+    pub(super) fn fault(&self, what: &str, fault: &FormulaError) -> Diagnostic {
         let span = match self.is_literal {
             true => {
                 let from = self.text.start + 1;

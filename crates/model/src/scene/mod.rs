@@ -106,7 +106,7 @@ pub use rewrite::Precision;
 pub use rewrite::{figure, key};
 #[doc(hidden)]
 pub use syntax::mend;
-pub use typed::Mistyped;
+pub use typed::ValueError;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
 
@@ -334,7 +334,7 @@ impl Scene {
     /// Returns the display title; titles of presets are translated.
     #[must_use]
     pub fn title(&self) -> String {
-        words().told_of_scene(&self.name)
+        words().translated_scene_text(&self.name)
     }
 
     /// Returns the tolerances of lengths and the clearances of pins.

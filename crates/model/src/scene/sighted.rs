@@ -41,14 +41,14 @@ pub(super) struct SightedTable {
 
 impl<'de> Deserialize<'de> for WrittenPlace {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(EitherWay)
+        deserializer.deserialize_any(ListOrTable)
     }
 }
 
 /// Accepts a list or a table only.
-struct EitherWay;
+struct ListOrTable;
 
-impl<'de> Visitor<'de> for EitherWay {
+impl<'de> Visitor<'de> for ListOrTable {
     type Value = WrittenPlace;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

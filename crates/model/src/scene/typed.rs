@@ -9,13 +9,13 @@ use super::measure::{Measure, MeasureUnits};
 use super::numeral::{number_length, with_point};
 use super::rate;
 use super::values::{Value, quoted};
-use crate::expression::{self, Malformed};
+use crate::expression::{self, FormulaError};
 use crate::wording::words;
 use std::fmt;
 
 /// The reason why a typed text is not a value.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Mistyped {
+pub enum ValueError {
     /// The text does not begin with a number.
     NoNumber {
         /// The typed text.
@@ -48,23 +48,23 @@ pub enum Mistyped {
     },
 }
 
-impl fmt::Display for Mistyped {
+impl fmt::Display for ValueError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Mistyped::NoNumber { typed, units } => {
+            ValueError::NoNumber { typed, units } => {
                 f.write_str(&words().no_number_typed(typed, &units.join(", ")))
             }
-            Mistyped::TwoMarks { typed } => f.write_str(&words().typed_two_marks(typed)),
-            Mistyped::Unit { unit, units } => {
+            ValueError::TwoMarks { typed } => f.write_str(&words().typed_two_marks(typed)),
+            ValueError::Unit { unit, units } => {
                 f.write_str(&words().unit_does_not_fit(unit, &units.join(", ")))
             }
-            Mistyped::Formula { why } => f.write_str(why),
-            Mistyped::TooLarge { typed } => f.write_str(&words().typed_too_large(typed)),
+            ValueError::Formula { why } => f.write_str(why),
+            ValueError::TooLarge { typed } => f.write_str(&words().typed_too_large(typed)),
         }
     }
 }
 
-impl std::error::Error for Mistyped {}
+impl std::error::Error for ValueError {}
 
 impl Value {
     /// Returns the text to store for a typed one: a number in the value's own unit or with a unit,
@@ -73,12 +73,12 @@ impl Value {
     /// # Errors
     /// Returns an error if the text is not a number, its unit measures another quantity, or its
     /// formula cannot be evaluated.
-    pub fn typed(&self, typed: &str) -> Result<String, Mistyped> {
+    pub fn typed(&self, typed: &str) -> Result<String, ValueError> {
         let typed = typed.trim();
         self.typed_number(typed)
             .or_else(|why| match self.typed_formula(typed) {
                 Some(Ok(formula)) => Ok(formula),
-                Some(Err(why)) => Err(Mistyped::Formula { why }),
+                Some(Err(why)) => Err(ValueError::Formula { why }),
                 None => Err(why),
             })
     }
@@ -101,7 +101,7 @@ impl Value {
             Ok(tree) => tree,
             Err(fault) => {
                 let help = fault.help.clone().or_else(|| self.named.product(head));
-                let fault = Malformed { help, ..fault };
+                let fault = FormulaError { help, ..fault };
                 return self.is_meant(head).then(|| Err(placed(&fault, head)));
             }
         };
@@ -136,10 +136,10 @@ impl Value {
     }
 
     /// Returns the text to store for a number with or without a unit.
-    pub(super) fn typed_number(&self, typed: &str) -> Result<String, Mistyped> {
+    pub(super) fn typed_number(&self, typed: &str) -> Result<String, ValueError> {
         let Some(text) = with_point(typed) else {
             let typed = typed.to_owned();
-            return Err(Mistyped::TwoMarks { typed });
+            return Err(ValueError::TwoMarks { typed });
         };
         let (number, unit) = text.split_at(number_length(&text));
         let unit = expression::plain_unit(unit);
@@ -164,10 +164,10 @@ impl Value {
         };
         match written {
             Some((number, text)) if number.is_finite() => Ok(text),
-            Some(_) => Err(Mistyped::TooLarge {
+            Some(_) => Err(ValueError::TooLarge {
                 typed: typed.to_owned(),
             }),
-            None => Err(Mistyped::Unit {
+            None => Err(ValueError::Unit {
                 unit: unit.to_owned(),
                 units: self.units(),
             }),
@@ -184,8 +184,8 @@ impl Value {
         self.written(&shortest(sum))
     }
 
-    fn no_number(&self, typed: &str) -> Mistyped {
-        Mistyped::NoNumber {
+    fn no_number(&self, typed: &str) -> ValueError {
+        ValueError::NoNumber {
             typed: typed.to_owned(),
             units: self.units(),
         }
@@ -229,7 +229,7 @@ impl Value {
 }
 
 /// Returns the message of a fault in a formula, with its position unless it is at the end.
-fn placed(fault: &Malformed, formula: &str) -> String {
+fn placed(fault: &FormulaError, formula: &str) -> String {
     let before = formula.get(..fault.span.start).unwrap_or(formula);
     match before.trim_end().len() == formula.trim_end().len() {
         true => fault.words(),

@@ -5,7 +5,7 @@ use super::reader::{ByteSpan, Name, Reader, bare_number};
 use super::{Scene, Value};
 use crate::document::{Diagnostic, NamedNumbers};
 use crate::expression::{
-    self, Dimension, ExpressionTree, LengthScale, Malformed, MeasuredNumber, evaluate,
+    self, Dimension, ExpressionTree, FormulaError, LengthScale, MeasuredNumber, evaluate,
 };
 use crate::nearest::did_you_mean;
 use crate::wording::words;
@@ -31,7 +31,7 @@ impl Reader<'_> {
                 let help = fault.help.clone().or_else(|| self.named.product(text));
                 let help = help.or_else(|| bare_number(text));
                 let place = FormulaPlace::of(self, &formula);
-                self.report(place.fault(what, &Malformed { help, ..fault }));
+                self.report(place.fault(what, &FormulaError { help, ..fault }));
                 return None;
             }
         };
@@ -72,7 +72,7 @@ impl NamedNumbers {
     }
 
     /// Evaluates a parsed formula.
-    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, Malformed> {
+    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
         let (symbol, tenths_of_mm) = self.length;
         let length = LengthScale {
             symbol,
@@ -85,7 +85,7 @@ impl NamedNumbers {
     }
 
     /// Parses and evaluates a formula.
-    pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, Malformed> {
+    pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
         self.worth_of(text, &expression::parse(text)?)
     }
 

@@ -29,7 +29,7 @@ pub use design::{
     OptimiseState, PlanAxis, SearchOutcome,
 };
 pub use excursion::{
-    CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionWish, FigurePlace, NoFigure,
+    CycleFigure, CycleFigures, DwellStretch, Excursion, ExcursionOptions, FigurePlace, NoFigure,
     TimeRatio, TurningPlace, USUAL_DWELL, UnknownCycleFigure, changing,
 };
 pub use exercise::{Exercise, ExerciseMaker, ExerciseTitles};
@@ -46,8 +46,9 @@ pub use iterations::{
 };
 pub use spread::Spread;
 pub use tolerance::{
-    BandKind, Contribution, Distribution, NoTolerance, Offsets, Percentiles, SampleOrder, Samples,
-    ToleranceFigure, ToleranceOf, ToleranceStudy, WholeTolerance, WorstCase, WorstKind,
+    BandKind, Contribution, Distribution, Offsets, Percentiles, SampleOrder, Samples,
+    ToleranceError, ToleranceFigure, ToleranceOf, ToleranceStudy, WholeTolerance, WorstCase,
+    WorstKind,
 };
 
 use crate::solver::{Deviation, Methods, Range, Runner, Solver};

@@ -76,7 +76,7 @@ pub fn words() -> &'static dyn Words {
 
 /// Returns the messages for files that other programs read. They are always English: names and
 /// reasons in CSV and JSON must not change.
-pub fn for_programs() -> &'static dyn Words {
+pub fn english_words() -> &'static dyn Words {
     &English
 }
 

@@ -148,11 +148,11 @@ impl FunctionLinkage {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kinematics::numeric::SeededChance;
+    use kinematics::numeric::SeededRng;
 
     #[test]
     fn derivatives_match_difference_quotients() {
-        let mut chance = SeededChance::new(7);
+        let mut chance = SeededRng::new(7);
         let mut closed = 0;
         for round in 0..2000 {
             let output = if round % 2 == 0 {

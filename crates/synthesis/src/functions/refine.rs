@@ -247,12 +247,12 @@ fn free(wanted: &WantedFunction) -> [bool; NUMBERS] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kinematics::numeric::SeededChance;
+    use kinematics::numeric::SeededRng;
 
     /// R'Q'r = J'r is half the slope of the sum of squares.
     #[test]
     fn slopes_match_difference_quotients() {
-        let mut chance = SeededChance::new(11);
+        let mut chance = SeededRng::new(11);
         for round in 0..200 {
             let output = if round % 2 == 0 {
                 Output::Angle

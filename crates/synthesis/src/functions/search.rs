@@ -26,7 +26,7 @@ const SWINGS: [usize; 2] = [20, 9];
 /// Algebra weights a pair by more than its miss there, and may start far from the minimum.
 const DATUMS: usize = 12;
 /// Maximum number of starts followed per combination of tried values.
-const OF_A_CELL: usize = 4;
+const MAX_STARTS_PER_CELL: usize = 4;
 /// Maximum number of starts followed.
 const STARTS: usize = 480;
 /// Stages of the descent: number of steps, number of the best designs that continue, and completed
@@ -129,7 +129,7 @@ fn different(
     let of_use = followed.into_iter().flatten().filter_map(|design| {
         let rms = design.rms(wanted).filter(|rms| *rms <= USELESS * span)?;
         let ratio = design.linkage.ratio();
-        let is_linkage = ratio <= SLENDER && design.law.is_told_by(wanted);
+        let is_linkage = ratio <= SLENDER && design.law.is_determined_by(wanted);
         is_linkage.then_some(((rms.max(ROUNDED * span), ratio), design))
     });
     let mut ranked: Vec<((f64, f64), FunctionDesign)> = of_use.collect();
@@ -202,7 +202,7 @@ fn best_starts(wanted: &WantedFunction, cell: &WantedFunction) -> Vec<(f64, Func
     starts.dedup_by(|a, b| a.1.is_near(&b.1, NEAR));
     // A single cell keeps all its starts.
     if wanted.given != cell.given {
-        starts.truncate(OF_A_CELL);
+        starts.truncate(MAX_STARTS_PER_CELL);
     }
     starts
 }

@@ -75,11 +75,11 @@ fn polished(mut at: f64, f: &impl Fn(f64) -> f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use kinematics::numeric::SeededChance;
+    use kinematics::numeric::SeededRng;
 
     #[test]
     fn planted_zeros_are_found_and_no_others() {
-        let mut chance = SeededChance::new(5);
+        let mut chance = SeededRng::new(5);
         for round in 0..200 {
             let degree = 1 + round % 3;
             let planted: Vec<f64> = (0..2 * degree).map(|_| PI * chance.even()).collect();

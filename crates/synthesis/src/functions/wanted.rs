@@ -15,7 +15,7 @@ pub(super) struct FunctionLaw {
 impl FunctionLaw {
     /// Returns `true` if the pairs determine the crank's motion: over at most one turn, with less
     /// than half a turn between neighbours. A given scale always does.
-    pub(super) fn is_told_by(&self, wanted: &WantedFunction) -> bool {
+    pub(super) fn is_determined_by(&self, wanted: &WantedFunction) -> bool {
         let mut xs: Vec<f64> = wanted.pairs.iter().map(|pair| pair[0]).collect();
         xs.sort_by(f64::total_cmp);
         let scale = self.crank[1].abs();

@@ -15,7 +15,7 @@
 //! are at most ten. The last steps use the rows themselves, by their singular values: normal
 //! equations would lose half of the digits.
 
-use super::evolution::{Quarry, Raw};
+use super::evolution::{Raw, SearchTarget};
 use super::linear::{LinkagePlace, Projection};
 use super::shape::{LinkageForm, LinkageShape};
 use super::wanted::{HeldPivots, WantedPath};
@@ -34,14 +34,14 @@ const STUCK: f64 = 1e10;
 const LEVEL: f64 = 1e-9;
 /// Singular values below this part of the largest belong to unknowns that the path does not
 /// determine.
-const UNTOLD: f64 = 1e-11;
+const RANK_TOLERANCE: f64 = 1e-11;
 
 type MatrixOfUnknowns = [[f64; MAX_COUNT]; MAX_COUNT];
 
 /// A linkage in the path's frame, with its crank's angle at every point.
 #[derive(Clone, Debug)]
 pub(super) struct Fit {
-    pub(super) quarry: Quarry,
+    pub(super) quarry: SearchTarget,
     pub(super) shape: LinkageShape,
     pub(super) place: LinkagePlace,
     /// The crank's angle at every point, in degrees.
@@ -74,7 +74,7 @@ struct Layout {
 }
 
 impl Layout {
-    fn of(wanted: &WantedPath, quarry: &Quarry) -> Layout {
+    fn of(wanted: &WantedPath, quarry: &SearchTarget) -> Layout {
         let timed = wanted.turns.is_some();
         let linear = match quarry.held {
             HeldPivots::Free => 6,
@@ -104,7 +104,7 @@ struct PointRows {
 
 impl Fit {
     /// Returns the start of a descent.
-    pub(super) fn of(wanted: &WantedPath, quarry: Quarry, raw: &Raw) -> Fit {
+    pub(super) fn of(wanted: &WantedPath, quarry: SearchTarget, raw: &Raw) -> Fit {
         let turned = |j: usize| wanted.turns.as_ref().map(|turns| turns[j]);
         let angles: Vec<f64> = (0..wanted.points.len())
             .map(|j| raw.angle(&wanted.along[j], turned(j)))
@@ -395,7 +395,8 @@ impl Fit {
             return None;
         }
         let svd = nalgebra::SVD::try_new(matrix, true, true, f64::EPSILON, 200)?;
-        svd.solve(&misses, UNTOLD * svd.singular_values.max()).ok()
+        svd.solve(&misses, RANK_TOLERANCE * svd.singular_values.max())
+            .ok()
     }
 }
 

@@ -6,7 +6,7 @@
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
 use super::wanted::{HeldPivots, PathPart, WantedPath};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 /// Maximum number of genes: three ratios, the first angle, the whole turn, and two for its
 /// unevenness.
@@ -31,7 +31,7 @@ const LACKING: f64 = 0.1;
 
 /// The kind of linkage for which a start searches.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Quarry {
+pub(super) struct SearchTarget {
     pub(super) form: LinkageForm,
     pub(super) held: HeldPivots,
     /// The sign of the assembly, 1 or -1.
@@ -70,7 +70,7 @@ impl Raw {
 
 /// Returns the range of every gene. The first three belong to the crank, the far length and the
 /// ground, by their logarithms.
-fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
+fn ends(quarry: &SearchTarget, wanted: &WantedPath) -> [[f64; 2]; GENES] {
     let free = wanted.turns.is_none();
     let (crank, far, ground) = match quarry.form {
         LinkageForm::FourBar => ([-2.3, 1.6], [-1.6, 1.6], [-1.9, 1.6]),
@@ -88,15 +88,15 @@ fn ends(quarry: &Quarry, wanted: &WantedPath) -> [[f64; 2]; GENES] {
 /// The search of one start.
 pub(super) struct Evolution<'a> {
     wanted: &'a WantedPath,
-    quarry: Quarry,
+    quarry: SearchTarget,
     ends: [[f64; 2]; GENES],
-    chance: SeededChance,
+    chance: SeededRng,
     /// The minimum and maximum of the given turns, in degrees.
     turns: Option<[f64; 2]>,
 }
 
 impl<'a> Evolution<'a> {
-    pub(super) fn new(wanted: &'a WantedPath, quarry: Quarry, seed: u64) -> Evolution<'a> {
+    pub(super) fn new(wanted: &'a WantedPath, quarry: SearchTarget, seed: u64) -> Evolution<'a> {
         let turns = wanted.turns.as_ref().map(|turns| {
             let least = turns.iter().copied().fold(f64::INFINITY, f64::min);
             [
@@ -108,7 +108,7 @@ impl<'a> Evolution<'a> {
             wanted,
             quarry,
             ends: ends(&quarry, wanted),
-            chance: SeededChance::new(seed),
+            chance: SeededRng::new(seed),
             turns,
         }
     }

@@ -29,10 +29,10 @@ mod tests;
 mod wanted;
 mod wishes;
 
-use super::{Partner, PathTask, Proposal, Proposals, Wishes};
+use super::{Partner, PathTask, Preferences, Proposal, Proposals};
 use descent::Fit;
 use distinct::{Ranked, chosen};
-use evolution::{Evolution, Quarry};
+use evolution::{Evolution, SearchTarget};
 use kinematics::{angle, parallel};
 use shape::LinkageForm;
 use wanted::{HeldPivots, WantedPath};
@@ -58,7 +58,7 @@ pub struct PathSearch<'a> {
     /// Whether to search for slider-cranks.
     pub slider_cranks: bool,
     /// The preferences: every other round of starts searches for linkages that meet them.
-    pub wishes: Wishes,
+    pub wishes: Preferences,
     /// The seed of the random numbers.
     pub seed: u64,
     /// The number of threads; it changes only the run time.
@@ -94,7 +94,7 @@ impl PathSearch<'_> {
             || (),
             |(), i| {
                 let round = i / quarries.len();
-                let quarry = Quarry {
+                let quarry = SearchTarget {
                     is_wished: wanted.wishes.is_any() && round % 2 == 1,
                     ..quarries[i % quarries.len()]
                 };
@@ -131,7 +131,7 @@ impl PathSearch<'_> {
     }
 
     /// Returns the kinds of linkage for which successive starts search.
-    fn quarries(&self, wanted: &WantedPath) -> Vec<Quarry> {
+    fn quarries(&self, wanted: &WantedPath) -> Vec<SearchTarget> {
         let forms = [
             (self.four_bars, LinkageForm::FourBar),
             (self.slider_cranks, LinkageForm::SliderCrank),
@@ -146,7 +146,7 @@ impl PathSearch<'_> {
             for sign in [1.0, -1.0] {
                 for (_, form) in forms.iter().filter(|(is_wanted, _)| *is_wanted) {
                     for held in self.held(wanted, *form) {
-                        quarries.push(Quarry {
+                        quarries.push(SearchTarget {
                             form: *form,
                             held,
                             sign,
@@ -209,7 +209,7 @@ impl PathSearch<'_> {
 fn start(
     wanted: &WantedPath,
     rough: &WantedPath,
-    quarry: Quarry,
+    quarry: SearchTarget,
     seed: u64,
     number: usize,
 ) -> Vec<Ranked> {

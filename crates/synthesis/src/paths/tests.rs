@@ -1,7 +1,7 @@
-use super::super::planted::{PlantedDrive, tracer};
+use super::super::planted::{KnownLinkage, tracer};
 use super::*;
 use kinematics::Vec2;
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 fn task(points: Vec<Vec2>, closed: bool, turns: Option<Vec<f64>>) -> PathTask {
     PathTask {
@@ -18,7 +18,7 @@ fn search(task: &PathTask) -> PathSearch<'_> {
         task,
         four_bars: true,
         slider_cranks: false,
-        wishes: Wishes::default(),
+        wishes: Preferences::default(),
         seed: 1,
         threads: 2,
         starts: 24,
@@ -52,13 +52,13 @@ fn rms(proposal: &Proposal, points: &[Vec2]) -> f64 {
 /// Draws a linkage that reaches `count` points of a turn, or of a part of one, and returns it with
 /// its turns and points.
 fn planted(
-    chance: &mut SeededChance,
+    chance: &mut SeededRng,
     slides: bool,
     closed: bool,
     count: usize,
-) -> (PlantedDrive, Vec<f64>, Vec<Vec2>) {
+) -> (KnownLinkage, Vec<f64>, Vec<Vec2>) {
     loop {
-        let planted = PlantedDrive::random(chance, slides);
+        let planted = KnownLinkage::random(chance, slides);
         let span = if closed {
             360.0
         } else {
@@ -91,7 +91,7 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
     let Partner::Rocker(d) = proposal.partner else {
         return false;
     };
-    let bar = PlantedDrive {
+    let bar = KnownLinkage {
         pivot: proposal.pivot,
         far: proposal.partner,
         crank,
@@ -130,7 +130,7 @@ fn passes(proposal: &Proposal, place: Vec2, near: f64) -> bool {
 /// Returns how many of `count` known four-bars are found; their curve between the points, too, must
 /// agree to 1e-9.
 fn recovered(closed: bool, timed: bool, count: u32) -> u32 {
-    let mut chance = SeededChance::new(7 + u64::from(closed));
+    let mut chance = SeededRng::new(7 + u64::from(closed));
     (0..count)
         .map(|k| {
             let points = 12 + k as usize;
@@ -166,7 +166,7 @@ fn some_planted_four_bars_without_times_are_recovered() {
 
 #[test]
 fn planted_slider_cranks_are_recovered() {
-    let mut chance = SeededChance::new(3);
+    let mut chance = SeededRng::new(3);
     let mut met = [0, 0];
     for k in 0..10 {
         for timed in [false, true] {
@@ -191,7 +191,7 @@ fn planted_slider_cranks_are_recovered() {
 /// With noise of 1 % of the size, the linkages found miss by no more than the noise.
 #[test]
 fn misses_do_not_exceed_noise() {
-    let mut chance = SeededChance::new(21);
+    let mut chance = SeededRng::new(21);
     for k in 0..6 {
         let (_, turns, mut points) = planted(&mut chance, false, k % 2 == 0, 16 + k);
         let noise = 0.01 * size(&points);
@@ -235,7 +235,7 @@ fn few_points_on_line_are_met() {
 /// The result contains given pivots bit for bit, on either side.
 #[test]
 fn given_pivots_are_kept() {
-    let mut chance = SeededChance::new(33);
+    let mut chance = SeededRng::new(33);
     let (planted, _, points) = planted(&mut chance, false, true, 14);
     let Partner::Rocker(d) = planted.far else {
         panic!("a four-bar")
@@ -287,7 +287,7 @@ fn given_pivots_are_kept() {
 /// A point of zero weight has no influence, and one of very large weight is met.
 #[test]
 fn weights_control_misses() {
-    let mut chance = SeededChance::new(8);
+    let mut chance = SeededRng::new(8);
     let (_, turns, mut points) = planted(&mut chance, false, true, 14);
     let shift = Vec2::new(0.5, 0.3) * size(&points);
     points[4] += shift;
@@ -305,7 +305,7 @@ fn weights_control_misses() {
 
 #[test]
 fn same_seed_gives_same_linkages_for_any_thread_count() {
-    let mut chance = SeededChance::new(2);
+    let mut chance = SeededRng::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
     let run = |threads, seed| {
@@ -325,7 +325,7 @@ fn same_seed_gives_same_linkages_for_any_thread_count() {
 
 #[test]
 fn search_reports_progress_and_can_be_stopped() {
-    let mut chance = SeededChance::new(2);
+    let mut chance = SeededRng::new(2);
     let (_, _, points) = planted(&mut chance, false, false, 11);
     let task = task(points, false, None);
     let mut parts = Vec::new();
@@ -450,7 +450,7 @@ fn degenerate_points_give_finite_linkages() {
 #[test]
 fn coupler_rates_match_difference_quotients() {
     use super::shape::LinkageShape;
-    let mut chance = SeededChance::new(6);
+    let mut chance = SeededRng::new(6);
     let mut held = 0;
     for k in 0..200 {
         let form = if k % 2 == 0 {
@@ -545,9 +545,9 @@ fn coupler_rates_match_difference_quotients() {
 #[test]
 fn points_out_of_order_by_noise_are_met_in_order() {
     let turns: Vec<f64> = (0..120).map(|k| 1.5 * f64::from(k)).collect();
-    let mut chance = SeededChance::new(11);
+    let mut chance = SeededRng::new(11);
     let planted = loop {
-        let planted = PlantedDrive::random(&mut chance, false);
+        let planted = KnownLinkage::random(&mut chance, false);
         if let Some(proposal) = planted.proposal(&turns) {
             break proposal;
         }
@@ -560,9 +560,9 @@ fn points_out_of_order_by_noise_are_met_in_order() {
         .collect();
     let task = task(points, false, None);
     let with = |ordered: bool| {
-        let wishes = Wishes {
+        let wishes = Preferences {
             ordered,
-            ..Wishes::default()
+            ..Preferences::default()
         };
         let search = PathSearch {
             wishes,
@@ -595,12 +595,12 @@ fn search_finds_linkages_with_wanted_properties() {
         .map(|k| Vec2::new(20.0, 20.0 + 5.0 * f64::from(k)))
         .collect();
     let task = task(points, false, None);
-    let wished = Wishes {
+    let wished = Preferences {
         full_turn: true,
         transmission: Some(45.0),
         inside: Some([Vec2::new(-60.0, -20.0), Vec2::new(100.0, 60.0)]),
         ratio: Some(4.0),
-        ..Wishes::default()
+        ..Preferences::default()
     };
     let corners = wished.inside.unwrap();
     let keeps = |p: &Proposal| {
@@ -610,7 +610,7 @@ fn search_finds_linkages_with_wanted_properties() {
         let is_inside = [p.pivot, d].iter().all(|at| crate::is_inside(corners, *at));
         is_inside && p.ratio() <= 4.0 && rms(p, &task.points) < 1e-6
     };
-    let count = |wishes: Wishes| {
+    let count = |wishes: Preferences| {
         let search = PathSearch {
             wishes,
             ..search(&task)
@@ -622,6 +622,6 @@ fn search_finds_linkages_with_wanted_properties() {
             .filter(|p| keeps(p))
             .count()
     };
-    assert_eq!(count(Wishes::default()), 0);
+    assert_eq!(count(Preferences::default()), 0);
     assert!(count(wished) > 0);
 }

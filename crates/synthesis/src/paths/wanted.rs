@@ -1,7 +1,7 @@
 //! The path in its own frame, with its middle at the origin and its size 1.
 
 use super::wishes::SearchWishes;
-use crate::{PathTask, Wishes};
+use crate::{PathTask, Preferences};
 use kinematics::Vec2;
 
 /// A point's position along the path, from 0 to 1, and two terms of additional rotation for an
@@ -44,7 +44,7 @@ pub(super) struct WantedPath {
 impl WantedPath {
     /// Converts a task. Returns `None` if fewer than two different points have a weight, or if a
     /// number is not finite.
-    pub(super) fn of(task: &PathTask, wishes: &Wishes) -> Option<WantedPath> {
+    pub(super) fn of(task: &PathTask, wishes: &Preferences) -> Option<WantedPath> {
         let given = |j: usize| task.weights.get(j).copied().unwrap_or(1.0).max(0.0);
         let total: f64 = (0..task.points.len()).map(given).sum();
         let weights: Vec<f64> = (0..task.points.len()).map(|j| given(j) / total).collect();

@@ -2,7 +2,7 @@
 
 use super::linear::LinkagePlace;
 use super::shape::{LinkageForm, LinkageShape};
-use crate::Wishes;
+use crate::Preferences;
 use kinematics::Vec2;
 
 /// The preferences for a linkage, apart from its path.
@@ -22,7 +22,11 @@ pub(super) struct SearchWishes {
 impl SearchWishes {
     /// Converts the preferences; `place` maps a point of the task to the path's frame. The crank of
     /// a closed path turns fully in any case.
-    pub(super) fn of(wishes: &Wishes, closed: bool, place: impl Fn(Vec2) -> Vec2) -> SearchWishes {
+    pub(super) fn of(
+        wishes: &Preferences,
+        closed: bool,
+        place: impl Fn(Vec2) -> Vec2,
+    ) -> SearchWishes {
         let transmission = wishes.transmission.unwrap_or(0.0);
         SearchWishes {
             full_turn: wishes.full_turn && !closed,

@@ -1,6 +1,6 @@
 //! Combines two dyads into a linkage, and selects the most promising distinct linkages.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::guidance::Guidance;
 use crate::{Partner, Proposal};
 use kinematics::{Vec2, angle};
@@ -27,7 +27,7 @@ pub(super) struct DyadPairing<'a> {
 impl DyadPairing<'_> {
     /// Combines two dyads into a linkage; a four-bar is driven at the better of its two pivots.
     /// Returns `None` for an unwanted kind, or if pins or pivots coincide.
-    pub(super) fn linkage(&self, a: &PinHeld, b: &PinHeld) -> Option<Proposal> {
+    pub(super) fn linkage(&self, a: &FullDyad, b: &FullDyad) -> Option<Proposal> {
         let (crank, pivot, other) = match (a.by, b.by) {
             (Partner::Rocker(pivot), Partner::Rocker(_)) if self.four_bars => (a, pivot, b),
             (Partner::Rocker(pivot), Partner::Slide(_)) if self.slider_cranks => (a, pivot, b),
@@ -55,7 +55,7 @@ impl DyadPairing<'_> {
 
     /// Returns the linkages of all pairs of dyads, best first. With `most`, returns at most so
     /// many, all different.
-    pub(super) fn among(&self, dyads: &[PinHeld], most: Option<usize>) -> Vec<Proposal> {
+    pub(super) fn among(&self, dyads: &[FullDyad], most: Option<usize>) -> Vec<Proposal> {
         let pairs = dyads.iter().enumerate();
         let pairs = pairs.flat_map(|(k, a)| dyads[..k].iter().map(move |b| (a, b)));
         self.best(pairs.filter_map(|(a, b)| self.linkage(a, b)), most)
@@ -65,8 +65,8 @@ impl DyadPairing<'_> {
     /// most so many, all different.
     pub(super) fn with(
         &self,
-        given: &PinHeld,
-        dyads: &[PinHeld],
+        given: &FullDyad,
+        dyads: &[FullDyad],
         most: Option<usize>,
     ) -> Vec<Proposal> {
         let others = dyads

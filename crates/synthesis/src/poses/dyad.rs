@@ -30,7 +30,7 @@ const FAR: f64 = 1e6;
 const LEVEL: f64 = 1e-14;
 /// A pin of the body with its partner, which holds it in all poses.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct PinHeld {
+pub(super) struct FullDyad {
     /// The pivot or the slide.
     pub by: Partner,
     /// The pin in the body's frame.
@@ -39,7 +39,7 @@ pub(super) struct PinHeld {
     pub places: Vec<Vec2>,
 }
 
-impl PinHeld {
+impl FullDyad {
     /// Converts to the public type.
     pub(super) fn dyad(&self) -> Option<PosedDyad> {
         let pin = *self.places.first()?;
@@ -62,7 +62,7 @@ impl Guidance {
 
     /// Returns the dyad of a ground pivot. It is unique if at least two equations are independent.
     /// Returns `None` if no pin keeps its distance from the pivot.
-    pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<PinHeld> {
+    pub(super) fn on_pivot(&self, pivot: Vec2) -> Option<FullDyad> {
         let place = (pivot - self.middle).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
@@ -77,7 +77,7 @@ impl Guidance {
     }
 
     /// Returns the dyad of a pin given in the body's frame; `None` if no pivot or slide holds it.
-    pub(super) fn on_pin(&self, pin: Vec2) -> Option<PinHeld> {
+    pub(super) fn on_pin(&self, pin: Vec2) -> Option<FullDyad> {
         let place = (pin - self.quietest).exactly().scaled(1.0 / self.unit);
         let rows: Vec<Triple> = self
             .forms
@@ -89,7 +89,7 @@ impl Guidance {
 
     /// Returns the dyad of a solution of the equations. Returns `None` if the pin is at infinity,
     /// if pin or link degenerates, or if the dyad does not pass through the poses.
-    pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<PinHeld> {
+    pub(super) fn dyad(&self, pin: Triple, pivot: Triple) -> Option<FullDyad> {
         self.held(self.pin(pin)?, pivot)
     }
 
@@ -118,7 +118,7 @@ impl Guidance {
         places.iter().any(moves).then_some(places)
     }
 
-    fn held(&self, pin: Vec2, pivot: Triple) -> Option<PinHeld> {
+    fn held(&self, pin: Vec2, pivot: Triple) -> Option<FullDyad> {
         let places = self.places(pin)?;
         let by = self
             .slide(&places, pivot)
@@ -126,13 +126,13 @@ impl Guidance {
         Some(self.with(by, pin, &places))
     }
 
-    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> PinHeld {
+    fn with(&self, by: Partner, pin: Vec2, places: &[Vec2<Double>]) -> FullDyad {
         let places = places.iter().map(|at| at.nearest()).collect();
-        PinHeld { by, pin, places }
+        FullDyad { by, pin, places }
     }
 
     /// Returns the full dyad of a posed one; `None` if the pin does not move.
-    pub(super) fn known(&self, dyad: &PosedDyad) -> Option<PinHeld> {
+    pub(super) fn known(&self, dyad: &PosedDyad) -> Option<FullDyad> {
         let [at, turn] = *self.poses.first()?;
         let pin = (dyad.pin.exactly() - at).turned(turn.conj()).nearest();
         let places = self.places(pin)?;
@@ -140,7 +140,7 @@ impl Guidance {
     }
 
     /// Returns `true` if two dyads differ only by rounding.
-    pub(super) fn is_same(&self, a: &PinHeld, b: &PinHeld) -> bool {
+    pub(super) fn is_same(&self, a: &FullDyad, b: &FullDyad) -> bool {
         let near = |a: Vec2, b: Vec2, size: f64| (a - b).norm() <= ONE * size;
         let is_held_alike = match (a.by, b.by) {
             (Partner::Rocker(p), Partner::Rocker(q)) => {

@@ -5,7 +5,7 @@
 //! three. A part of the family along this curve also solves the fourth equation. Isolated dyads are
 //! where the fourth equation changes its sign along the curve.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::form::{self, Form};
 use super::guidance::Guidance;
 use super::space;
@@ -18,7 +18,7 @@ const HOLDS: f64 = 1e-10;
 
 /// Returns the dyads in the order of their curve, each isolated one as its own piece. The result is
 /// empty unless there are four equations.
-pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
+pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<FullDyad>> {
     let Ok(forms) = <&[Form; 4]>::try_from(guidance.forms.as_slice()) else {
         return Vec::new();
     };
@@ -29,11 +29,11 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
         .unwrap_or_default()
 }
 
-fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<PinHeld>> {
+fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<FullDyad>> {
     let [left_out, others @ ..] = forms;
     let rest = |spot: &CurveSpot| space::dot(form::of_pivot(left_out, spot.pivot), spot.pin).hi;
-    let mut pieces: Vec<Vec<PinHeld>> = Vec::new();
-    let mut single: Vec<PinHeld> = Vec::new();
+    let mut pieces: Vec<Vec<FullDyad>> = Vec::new();
+    let mut single: Vec<FullDyad> = Vec::new();
     for piece in four::traced(others, guidance.offsets()) {
         let dyad = |spot: &CurveSpot| guidance.dyad(spot.pin, spot.pivot);
         pieces.push(piece.spots.iter().filter_map(dyad).collect());
@@ -43,7 +43,7 @@ fn without_first(guidance: &Guidance, forms: &[Form; 4]) -> Vec<Vec<PinHeld>> {
             if is_meant && before * behind * turn(&pair[0], &pair[1]) <= 0.0 {
                 let met = five::refined(forms, pair[1].pin);
                 let met = met.and_then(|(pin, pivot)| guidance.dyad(pin, pivot));
-                let is_new = |new: &PinHeld| !single.iter().any(|old| guidance.is_same(new, old));
+                let is_new = |new: &FullDyad| !single.iter().any(|old| guidance.is_same(new, old));
                 single.extend(met.filter(is_new));
             }
         }

@@ -10,7 +10,7 @@
 //! All computations use double-double numbers: with doubles, nearly repeated poses would leave no
 //! digit of the quartic.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::form::{self, Form};
 use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
@@ -32,7 +32,7 @@ const MAX_STEPS: usize = 40;
 
 /// The dyads through five poses.
 pub(super) struct FoundDyads {
-    pub found: Vec<PinHeld>,
+    pub found: Vec<FullDyad>,
     /// Whether these are all dyads: the quartic exceeds the rounding error of the poses, and every
     /// root has a dyad or degenerates.
     pub are_all: bool,
@@ -59,7 +59,7 @@ pub(super) fn dyads(guidance: &Guidance) -> Option<FoundDyads> {
             let is_nothing =
                 || solution.is_some_and(|(pin, pivot)| guidance.is_nothing(pin, pivot));
             all.are_all &= !root.is_one || dyad.is_some() || is_nothing();
-            let is_new = |new: &PinHeld| {
+            let is_new = |new: &FullDyad| {
                 let mut found = all.found.iter();
                 !found.any(|other| guidance.is_same(new, other))
             };

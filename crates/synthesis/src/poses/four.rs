@@ -14,7 +14,7 @@
 //! every oval is therefore found without a search. Over an interval `[l, u]` with `x = l + (u - l)
 //! cos^2(s / 2)`, both roots y together are one smooth closed piece, s from 0 to 360 degrees.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::form::{self, Form};
 use super::guidance::Guidance;
 use super::polynomial::{self, PlaneCubic};
@@ -34,7 +34,7 @@ const NOUGHT: f64 = 1e-12;
 ///
 /// A slide is added where the pivot passes through infinity. The result is empty unless there are
 /// three equations, or if every pin has a pivot.
-pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
+pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<FullDyad>> {
     let Ok(forms) = guidance.forms.as_slice().try_into() else {
         return Vec::new();
     };
@@ -46,7 +46,7 @@ pub(super) fn pieces(guidance: &Guidance) -> Vec<Vec<PinHeld>> {
         let links = piece.spots.iter().filter_map(dyad);
         before.chain(links).chain(behind).collect()
     };
-    let mut pieces: Vec<Vec<PinHeld>> = traced(forms, guidance.offsets())
+    let mut pieces: Vec<Vec<FullDyad>> = traced(forms, guidance.offsets())
         .iter()
         .map(dyads)
         .collect();
@@ -69,7 +69,7 @@ pub(super) fn traced(forms: &[Form; 3], offsets: [Vec2<Double>; 2]) -> Vec<Piece
 /// both axes are p and q.
 ///
 /// Returns `None` unless there are three equations.
-pub(super) fn slide(guidance: &Guidance) -> Option<PinHeld> {
+pub(super) fn slide(guidance: &Guidance) -> Option<FullDyad> {
     let forms: &[Form; 3] = guidance.forms.as_slice().try_into().ok()?;
     let rows = |normal: Triple| forms.map(|f| form::of_pivot(&f, normal));
     let along = |x: f64, y: f64| [Double::exactly(x), Double::exactly(y), Double::ZERO];

@@ -1,6 +1,6 @@
 //! Finds the dyads if none is given.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::guidance::Guidance;
 use super::{family, five, four, three};
 use crate::{OpenReason, Partner, PoseTask, PosedDyad};
@@ -41,7 +41,7 @@ impl PoseReach {
 /// The available dyads.
 pub(super) struct Free {
     /// The isolated dyads of five poses.
-    pub single: Vec<PinHeld>,
+    pub single: Vec<FullDyad>,
     /// A selection if there are, or may be, infinitely many other dyads.
     pub choice: Option<DyadChoice>,
     /// The reason why other dyads may exist, apart from a continuous family.
@@ -52,7 +52,7 @@ pub(super) struct Free {
 
 /// A selection from infinitely many dyads.
 pub(super) struct DyadChoice {
-    pub dyads: Vec<PinHeld>,
+    pub dyads: Vec<FullDyad>,
     /// Maximum number of linkages proposed from them.
     pub most: usize,
 }
@@ -77,11 +77,11 @@ impl Free {
             };
         }
         let times = reach.times(guidance);
-        let handy_within = |dyad: &PinHeld, times| is_handy(guidance, dyad, inside, times);
-        let is_handy = |dyad: &PinHeld| handy_within(dyad, times);
+        let handy_within = |dyad: &FullDyad, times| is_handy(guidance, dyad, inside, times);
+        let is_handy = |dyad: &FullDyad| handy_within(dyad, times);
         let mut pieces = four::pieces(guidance);
         pieces.extend(family::pieces(guidance));
-        let seen = |piece: &Vec<PinHeld>| piece.iter().filter_map(PinHeld::dyad).collect();
+        let seen = |piece: &Vec<FullDyad>| piece.iter().filter_map(FullDyad::dyad).collect();
         let curves = pieces.iter().map(seen).collect();
         // A family is a curve; a few isolated dyads are all that exist, or all that rounding leaves
         // of a family.
@@ -95,7 +95,7 @@ impl Free {
             }
         } else {
             let handy = pieces.into_iter().flatten().filter(is_handy);
-            let (slides, links): (Vec<PinHeld>, Vec<PinHeld>) =
+            let (slides, links): (Vec<FullDyad>, Vec<FullDyad>) =
                 handy.partition(|dyad| matches!(dyad.by, Partner::Slide(_)));
             let mut dyads = thinned(&links);
             dyads.extend(thinned(&slides));
@@ -118,12 +118,12 @@ impl Free {
 }
 
 /// Selects as many dyads as linkages use, evenly along the curve.
-fn thinned(dyads: &[PinHeld]) -> Vec<PinHeld> {
+fn thinned(dyads: &[FullDyad]) -> Vec<FullDyad> {
     let stride = dyads.len().div_ceil(DYADS_OF_CURVE).max(1);
     dyads.iter().step_by(stride).cloned().collect()
 }
 
-fn is_handy(guidance: &Guidance, dyad: &PinHeld, inside: Option<[Vec2; 2]>, times: f64) -> bool {
+fn is_handy(guidance: &Guidance, dyad: &FullDyad, inside: Option<[Vec2; 2]>, times: f64) -> bool {
     let size = guidance.size;
     let is_near = |at: Vec2| (at - guidance.origin()).norm() <= REACH * times * size;
     let lengths = LENGTHS.start() / times..=LENGTHS.end() * times;

@@ -36,7 +36,7 @@ mod trace;
 
 use super::{OpenReason, PoseTask, PosedDyad, Proposal, Proposals};
 use choice::DyadPairing;
-use dyad::PinHeld;
+use dyad::FullDyad;
 use free::Free;
 pub(crate) use free::PoseReach;
 use guidance::Guidance;
@@ -76,7 +76,7 @@ pub(crate) fn propose(
     let (found, is_complete) = match given.as_deref() {
         Some([one, other]) => (pairing.linkage(one, other).into_iter().collect(), true),
         Some(given @ ([] | [_])) => {
-            let of = |dyads: &[PinHeld], most| match given.first() {
+            let of = |dyads: &[FullDyad], most| match given.first() {
                 Some(one) => pairing.with(one, dyads, most),
                 None => pairing.among(dyads, most),
             };
@@ -119,10 +119,10 @@ impl PoseTask {
 
 /// Returns the dyads of the given pivots and pins; `None` if one of these cannot pass through the
 /// poses.
-fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<PinHeld>> {
+fn given(guidance: &Guidance, task: &PoseTask) -> Option<Vec<FullDyad>> {
     let of_pivots = task.pivots.iter().map(|&at| guidance.on_pivot(at));
     let of_pins = task.pins.iter().map(|&at| guidance.on_pin(at));
-    let mut found: Vec<PinHeld> = Vec::new();
+    let mut found: Vec<FullDyad> = Vec::new();
     for dyad in of_pivots.chain(of_pins) {
         let dyad = dyad?;
         if !found.iter().any(|other| guidance.is_same(other, &dyad)) {

@@ -4,7 +4,7 @@
 //!
 //! Free values come from grids: the result is a selection.
 
-use super::dyad::PinHeld;
+use super::dyad::FullDyad;
 use super::form;
 use super::guidance::Guidance;
 use super::space;
@@ -27,7 +27,7 @@ pub(super) fn dyads(
     task: &PoseTask,
     inside: Option<[Vec2; 2]>,
     times: f64,
-) -> Vec<PinHeld> {
+) -> Vec<FullDyad> {
     let reach = Vec2::new(1.0, 1.0) * (REACH * times * guidance.size);
     let count = task.poses.len() as f64;
     let middle = task
@@ -49,7 +49,7 @@ fn grid([low, high]: [Vec2; 2], side: u8) -> impl Iterator<Item = Vec2> {
 }
 
 /// Returns the slides of the circle of pins with collinear positions, direction by direction.
-fn slides(guidance: &Guidance) -> impl Iterator<Item = PinHeld> {
+fn slides(guidance: &Guidance) -> impl Iterator<Item = FullDyad> {
     (0..DIRECTIONS).filter_map(|k| {
         let normal = Double::unit(180.0 * f64::from(k) / f64::from(DIRECTIONS));
         let normal = [normal.x, normal.y, Double::ZERO];

@@ -33,7 +33,7 @@ const ENDS: &str = "edits";
 
 /// The unsaved edits of a scene.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct KeptEdits {
+pub(crate) struct UnsavedEdits {
     /// The edited text.
     pub(crate) text: String,
     /// The staged edits.
@@ -43,7 +43,7 @@ pub(crate) struct KeptEdits {
 /// Edits left by an earlier session.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Generation {
-    pub(crate) edits: KeptEdits,
+    pub(crate) edits: UnsavedEdits,
     /// The time of the edits: `2026-11-21 14:03 UTC`.
     pub(crate) time: String,
     /// `true` if they are based on a text that differs from the file's current one.
@@ -72,11 +72,11 @@ pub(crate) struct Others {
     pub(crate) left: Vec<Generation>,
 }
 
-impl KeptEdits {
+impl UnsavedEdits {
     /// Creates edits without staged ones.
     #[cfg(test)]
-    pub(crate) fn of(text: &str) -> KeptEdits {
-        KeptEdits {
+    pub(crate) fn of(text: &str) -> UnsavedEdits {
+        UnsavedEdits {
             text: text.to_owned(),
             waiting: GatheredEdits::default(),
         }
@@ -103,12 +103,12 @@ pub(crate) struct Recovery {
     /// `true` if a failure to record edits was reported.
     told: bool,
     /// Restored edits of earlier sessions.
-    taken: Vec<Taken>,
+    taken: Vec<RestoredEdits>,
 }
 
 /// Restored edits. Their file is deleted with those of this session, unless they were undone.
 #[derive(Debug)]
-struct Taken {
+struct RestoredEdits {
     file: PathBuf,
     text: String,
     /// `true` if the current text includes these edits.
@@ -193,7 +193,7 @@ impl Recovery {
     /// Records edits. Returns a message on the first failure only.
     pub(crate) fn keep(
         &mut self,
-        edits: KeptEdits,
+        edits: UnsavedEdits,
         saved: &str,
         now: SystemTime,
     ) -> Option<String> {
@@ -211,7 +211,12 @@ impl Recovery {
     }
 
     /// Replaces the session's file atomically.
-    fn write(&mut self, edits: Option<KeptEdits>, saved: &str, now: SystemTime) -> io::Result<()> {
+    fn write(
+        &mut self,
+        edits: Option<UnsavedEdits>,
+        saved: &str,
+        now: SystemTime,
+    ) -> io::Result<()> {
         make_private(&self.folder)?;
         let record = Record {
             subject: self.subject.clone(),
@@ -244,7 +249,7 @@ impl Recovery {
 
     /// Adopts the edits of an earlier session.
     pub(crate) fn take(&mut self, file: PathBuf, text: String) {
-        self.taken.push(Taken {
+        self.taken.push(RestoredEdits {
             file,
             text,
             is_in: true,

@@ -13,7 +13,7 @@
 //! text
 //! ```
 
-use super::KeptEdits;
+use super::UnsavedEdits;
 use super::subject::{Identity, RecoverySubject};
 use crate::tui::document::gathered::GatheredEdits;
 use rustix::system::uname;
@@ -80,7 +80,7 @@ pub(super) struct Record {
     /// The time of the edits, in seconds since 1970.
     pub(super) time: u64,
     /// The edits; `None` if there are none.
-    pub(super) edits: Option<KeptEdits>,
+    pub(super) edits: Option<UnsavedEdits>,
 }
 
 impl Record {
@@ -153,7 +153,7 @@ impl Record {
             let text_of = |digits| String::from_utf8(of_digits(digits)?).ok();
             waiting.put(&text_of(name)?, text_of(text)?, "");
         }
-        let edits = || KeptEdits {
+        let edits = || UnsavedEdits {
             text: text.to_owned(),
             waiting,
         };
@@ -247,7 +247,7 @@ mod tests {
     #[test]
     fn records_round_trip() {
         let edits = |text: &str, waiting: &[(&str, &str)]| {
-            let mut edits = KeptEdits::of(text);
+            let mut edits = UnsavedEdits::of(text);
             for (name, text) in waiting {
                 edits.waiting.put(name, (*text).to_owned(), "");
             }

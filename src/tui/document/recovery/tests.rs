@@ -29,7 +29,7 @@ fn edits_are_offered_only_to_their_scene() {
     let folder = folder.join("deep/er");
     assert_eq!(one.others("old"), Others::default());
     assert_eq!(
-        one.keep(KeptEdits::of("new\nlines\n"), "old", at(1_795_269_780)),
+        one.keep(UnsavedEdits::of("new\nlines\n"), "old", at(1_795_269_780)),
         None
     );
     let found = |origin: &Origin, present: &str| session(&folder, 9, origin).others(present);
@@ -63,7 +63,7 @@ fn edits_are_found_by_any_path_of_a_file() {
     let of = |path: PathBuf| Origin::File(path);
     drop({
         let mut one = session(&folder, 1, &of(file.clone()));
-        one.keep(KeptEdits::of("new"), "old", at(5));
+        one.keep(UnsavedEdits::of("new"), "old", at(5));
         one
     });
     let names = ["hard.toml", "soft.toml", "../x/../scene.toml"];
@@ -92,7 +92,7 @@ fn crashed_sessions_are_kept_until_dropped_or_saved() {
     let folder = folder("recovery-three");
     for n in 1..=3 {
         session(&folder, n, &four_bar()).keep(
-            KeptEdits::of(&format!("edit {n}")),
+            UnsavedEdits::of(&format!("edit {n}")),
             "old",
             at(n * 60),
         );
@@ -107,16 +107,16 @@ fn crashed_sessions_are_kept_until_dropped_or_saved() {
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Restored and undone edits stay; saved ones are removed.
     let newest = next.others("old").left.remove(0);
-    next.keep(KeptEdits::of(&newest.edits.text), "old", at(999));
+    next.keep(UnsavedEdits::of(&newest.edits.text), "old", at(999));
     next.take(newest.file, newest.edits.text);
     next.rest();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Editing and saving another text removes none of them.
-    next.keep(KeptEdits::of("another"), "old", at(999));
+    next.keep(UnsavedEdits::of("another"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 3", "edit 2", "edit 1"]);
     // Redone edits are removed with the save.
-    next.keep(KeptEdits::of("edit 3"), "old", at(999));
+    next.keep(UnsavedEdits::of("edit 3"), "old", at(999));
     next.release();
     assert_eq!(texts(&next), ["edit 2", "edit 1"], "others' edits stay");
     delete(&next.others("old").left[0].file);
@@ -128,12 +128,12 @@ fn crashed_sessions_are_kept_until_dropped_or_saved() {
 #[test]
 fn edits_during_save_are_kept_and_restored_ones_dropped() {
     let folder = folder("recovery-meanwhile");
-    session(&folder, 1, &four_bar()).keep(KeptEdits::of("left"), "old", at(60));
+    session(&folder, 1, &four_bar()).keep(UnsavedEdits::of("left"), "old", at(60));
     let mut next = session(&folder, 9, &four_bar());
     let left = next.others("old").left.remove(0);
-    next.keep(KeptEdits::of(&left.edits.text), "old", at(99));
+    next.keep(UnsavedEdits::of(&left.edits.text), "old", at(99));
     next.take(left.file, left.edits.text);
-    next.keep(KeptEdits::of("newer"), "left", at(100));
+    next.keep(UnsavedEdits::of("newer"), "left", at(100));
     next.drop_taken();
     drop(next);
     let found = session(&folder, 10, &four_bar()).others("left").left;
@@ -165,12 +165,14 @@ fn unwritable_folder_is_reported_once() {
     let folder = folder("recovery-none");
     fs::write(&folder, "a file").unwrap();
     let mut recovery = session(&folder, 1, &Origin::Stdin);
-    let said = recovery.keep(KeptEdits::of("text"), "old", at(0)).unwrap();
+    let said = recovery
+        .keep(UnsavedEdits::of("text"), "old", at(0))
+        .unwrap();
     assert!(
         said.starts_with("edits are not kept for recovery: "),
         "{said}"
     );
-    assert_eq!(recovery.keep(KeptEdits::of("text"), "old", at(0)), None);
+    assert_eq!(recovery.keep(UnsavedEdits::of("text"), "old", at(0)), None);
     fs::remove_file(folder).unwrap();
 }
 
@@ -187,11 +189,11 @@ fn concurrent_lookup_removes_no_edits() {
     std::thread::scope(|scope| {
         let busy = scope.spawn(|| {
             for round in 0..500 {
-                assert_eq!(busy.keep(KeptEdits::of("new"), "old", at(round)), None);
+                assert_eq!(busy.keep(UnsavedEdits::of("new"), "old", at(round)), None);
                 assert!(busy.file().exists(), "in round {round}");
                 busy.rest();
             }
-            busy.keep(KeptEdits::of("new"), "old", at(500))
+            busy.keep(UnsavedEdits::of("new"), "old", at(500))
         });
         while !busy.is_finished() {
             assert_eq!(other.others("old").left, []);

@@ -1,7 +1,7 @@
 //! Maps control sequences to keys and mouse events.
 
 use crate::tui::commands::key::Key;
-use crate::tui::commands::mouse::{Mouse, MouseDeed};
+use crate::tui::commands::mouse::{Mouse, MouseEventKind};
 use ratatui::layout::Position;
 
 /// Bits of the modifiers, after subtracting one: Shift, Ctrl, and all others, which terminals do
@@ -27,11 +27,11 @@ pub(super) fn mouse(parameters: &[u8], last: u8) -> Option<Mouse> {
     let mut number = || numbers.next().flatten();
     let (button, column, row) = (number()?, number()?, number()?);
     let deed = match (button, last) {
-        (FIRST_BUTTON, b'm') => MouseDeed::Release,
-        (FIRST_BUTTON, _) => MouseDeed::Press,
-        (MOVED, b'M') => MouseDeed::Drag,
-        (WHEEL_UP, b'M') => MouseDeed::WheelUp,
-        (WHEEL_DOWN, b'M') => MouseDeed::WheelDown,
+        (FIRST_BUTTON, b'm') => MouseEventKind::Release,
+        (FIRST_BUTTON, _) => MouseEventKind::Press,
+        (MOVED, b'M') => MouseEventKind::Drag,
+        (WHEEL_UP, b'M') => MouseEventKind::WheelUp,
+        (WHEEL_DOWN, b'M') => MouseEventKind::WheelDown,
         _ => return None,
     };
     let cell = |number: u32| u16::try_from(number.checked_sub(1)?).ok();

@@ -31,7 +31,7 @@ fn mouse_reports_decode_to_first_button_and_wheel() {
         [] => None,
         ref other => panic!("{other:?}"),
     };
-    use crate::tui::commands::mouse::MouseDeed as D;
+    use crate::tui::commands::mouse::MouseEventKind as D;
     assert_eq!(told(b"\x1b[<0;1;1M"), Some((D::Press, 0, 0)));
     assert_eq!(told(b"\x1b[<32;80;24M"), Some((D::Drag, 79, 23)));
     assert_eq!(told(b"\x1b[<0;300;200m"), Some((D::Release, 299, 199)));

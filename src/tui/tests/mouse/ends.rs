@@ -5,12 +5,12 @@ use super::*;
 /// Drags the point at `from` by each of the given displacements in turn.
 fn drag(bench: &mut Workbench, from: Vec2, by: &[Vec2]) {
     let (at, _) = cell(bench, from);
-    point(bench, MouseDeed::Press, at);
+    point(bench, MouseEventKind::Press, at);
     for &by in by {
         let (to, _) = cell(bench, from + by);
-        point(bench, MouseDeed::Drag, to);
+        point(bench, MouseEventKind::Drag, to);
     }
-    point(bench, MouseDeed::Release, at);
+    point(bench, MouseEventKind::Release, at);
 }
 
 /// Returns a point's position.

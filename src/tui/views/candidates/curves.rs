@@ -143,7 +143,7 @@ fn facts(
     let stand = list
         .walked_place()
         .map(|[(dyad, dyads), (curve, curves)]| words().dyads_walked(dyad, dyads, curve, curves));
-    let told = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.told_dyad(dyad));
+    let told = |dyad: Option<&PosedDyad>| dyad.and_then(|dyad| list.describe_dyad(dyad));
     let mut said = vec![
         (stand.unwrap_or_default(), ScreenPart::Quiet, whole),
         (

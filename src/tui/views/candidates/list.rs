@@ -5,7 +5,7 @@ use super::shown::ShownCandidate;
 use super::walk::CurveWalk;
 use crate::report::{CandidateRow, SynthesisReport};
 use crate::synthesis::{
-    Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisOrder, scene_text,
+    Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
 };
 use crate::tui::TaskOrder;
 use crate::tui::document::search_progress::SearchProgress;
@@ -29,7 +29,7 @@ impl TaskSearch {
     /// Searches for linkages, which may take long.
     pub(crate) fn run(&self, order: &TaskOrder) -> FoundCandidates {
         let threads = parallel::cores();
-        let how = SynthesisOrder {
+        let how = SynthesisSettings {
             seed: order.seed,
             threads,
         };

@@ -163,7 +163,7 @@ impl CandidateList {
         if let CandidatesPage::Curves(walk) = &mut self.page {
             (walk.curve, walk.place) = (curve, place);
         }
-        self.judge_walked();
+        self.update_linkage();
     }
 
     /// Picks the dyad under the cursor. If one was picked already, adds the linkage of the two to
@@ -192,7 +192,7 @@ impl CandidateList {
     }
 
     /// Computes the linkage of the picked dyad and the one under the cursor.
-    fn judge_walked(&mut self) {
+    fn update_linkage(&mut self) {
         let walked = self.walked().copied();
         let linkage = walked.and_then(|walked| self.judged(&walked));
         if let CandidatesPage::Curves(walk) = &mut self.page {
@@ -214,7 +214,7 @@ impl CandidateList {
     }
 
     /// Returns a description of a dyad.
-    pub(super) fn told_dyad(&self, dyad: &PosedDyad) -> Option<String> {
+    pub(super) fn describe_dyad(&self, dyad: &PosedDyad) -> Option<String> {
         let found = self.found.as_ref()?;
         Some(found.report(&self.order).dyad(dyad))
     }

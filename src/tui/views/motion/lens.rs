@@ -43,27 +43,27 @@ enum Framing {
 
 /// The framing with the user's zoom and pan. A change of it requires a new drawing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub(crate) struct Lens {
+pub(crate) struct ViewportState {
     framing: Framing,
     window: Window,
     /// The pinned window, which does not follow the motion. A window is pinned when it is panned or
     /// zoomed, and during a drag.
-    held: Option<HeldWindow>,
+    held: Option<PinnedViewport>,
 }
 
 /// The window at a fixed driver coordinate, with the followed point's position there.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct HeldWindow {
+struct PinnedViewport {
     at: f64,
     point: Option<Vec2>,
     /// The exact window during a drag, which keeps it even if the scene's extents change.
     seen: Option<WorldView>,
 }
 
-impl Lens {
+impl ViewportState {
     /// Returns a copy without the pinned window. Pinning alone does not change the drawing.
-    pub(super) fn at_rest(self) -> Lens {
-        Lens { held: None, ..self }
+    pub(super) fn at_rest(self) -> ViewportState {
+        ViewportState { held: None, ..self }
     }
 
     /// Restores the default window.
@@ -145,7 +145,7 @@ impl Lens {
             Framing::Along | Framing::Motion | Framing::Pose => None,
         };
         let at = open_scene.at();
-        self.held.get_or_insert(HeldWindow {
+        self.held.get_or_insert(PinnedViewport {
             at,
             point,
             seen: None,

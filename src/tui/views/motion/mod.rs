@@ -16,7 +16,7 @@ use crate::report::upwards;
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, MotionAction};
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::views::motion::viewport::ViewportSetting;
 use crate::wording::words;
 use arrangement::arrange;
@@ -32,7 +32,7 @@ pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
     /// The scene revision of the labels, and the viewport's settings.
-    drawn: Option<(Edition, ViewportSetting)>,
+    drawn: Option<(SceneRevision, ViewportSetting)>,
     /// The drawing's area on the screen, and the view on the scene's plane.
     window: Option<(Rect, drawing::WorldView)>,
 }

@@ -6,10 +6,10 @@
 use crate::PointId;
 use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
 use crate::quantity::Subject;
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
-use crate::tui::views::motion::lens::Lens;
+use crate::tui::views::motion::lens::ViewportState;
 use crate::wording::words;
 
 /// Number of ghosts, which show the linkage at other positions of its motion.
@@ -82,7 +82,7 @@ impl On {
 pub(crate) struct ViewportSetting {
     names: ShownNames,
     on: On,
-    lens: Lens,
+    lens: ViewportState,
 }
 
 /// The layers and the window of the motion view.
@@ -91,12 +91,12 @@ pub(crate) struct Viewport {
     names: ShownNames,
     on: On,
     /// The window on the drawing.
-    pub(crate) lens: Lens,
+    pub(crate) lens: ViewportState,
     overlay: Overlay,
     /// The extents of the linkage with its arrows, if there are arrows.
     reach: Option<Reach>,
     /// The scene revision and the request for which the overlay was computed.
-    made: Option<(Edition, Wanted)>,
+    made: Option<(SceneRevision, Wanted)>,
     /// The legend's text on the traced points.
     traced: String,
 }
@@ -108,7 +108,7 @@ impl Default for Viewport {
         Viewport {
             names: ShownNames::default(),
             on,
-            lens: Lens::default(),
+            lens: ViewportState::default(),
             overlay: Overlay::default(),
             reach: None,
             made: None,

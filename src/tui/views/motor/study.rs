@@ -7,11 +7,11 @@ use crate::drawing::effort;
 use crate::drawing::plot::Plot;
 use crate::page::Page;
 use crate::quantity::{Abscissa, Catalogue, Clock, Curves, Here};
-use crate::report::{CsvDialect, MotorReport, MotorWishes, TimedMotorReport, curves_csv};
+use crate::report::{CsvDialect, MotorReport, MotorRequest, TimedMotorReport, curves_csv};
 use crate::scene::Scene;
 use crate::solver::{Order, Solver};
 use crate::study::motor::{NoTimedDuty, TimedDuty};
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
 
 /// The motor study of a scene, empty until the view is shown.
@@ -23,7 +23,7 @@ pub(crate) struct MotorStudy {
 #[derive(Debug)]
 struct Studied {
     /// The revision of the scene.
-    of: Edition,
+    of: SceneRevision,
     found: FoundMotor,
     page: Page,
     /// The curve; `None` if there are no forces.
@@ -57,9 +57,9 @@ impl FoundMotor {
                 Err(why) => FoundMotor::Nothing(TimedMotorReport::nothing(scene, &why)),
             };
         }
-        let wishes = MotorWishes {
+        let wishes = MotorRequest {
             motor: scene.motor.unwrap_or_default(),
-            ..MotorWishes::default()
+            ..MotorRequest::default()
         };
         FoundMotor::Cycle(Box::new(MotorReport::new(scene, solver, wishes)))
     }

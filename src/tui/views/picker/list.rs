@@ -183,7 +183,7 @@ impl Picker {
         };
         let presets = presets::all().iter().zip(TITLES.iter());
         self.items.extend(presets.map(|(p, title)| {
-            let title = words().told_of_scene(title);
+            let title = words().translated_scene_text(title);
             PickerItem::new(PickerTarget::Preset(p.name), p.name, &title)
         }));
         self.items

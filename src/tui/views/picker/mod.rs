@@ -269,7 +269,8 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
         lines.into_iter().map(move |line| (line, part))
     };
     let own = format!("{}; {}", sample.parts, sample.range);
-    let told = |text: &Option<String>| words().told_of_scene(text.as_deref().unwrap_or_default());
+    let told =
+        |text: &Option<String>| words().translated_scene_text(text.as_deref().unwrap_or_default());
     let (source, note) = (told(&scene.source), told(&scene.note));
     let said = [
         (own.as_str(), MAX_FACTS, ScreenPart::Text),

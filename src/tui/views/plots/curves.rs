@@ -12,7 +12,7 @@ use crate::scene::Scene;
 use crate::solver::{Order, Solver};
 use crate::study::ToleranceStudy;
 use crate::tui::player::compared_scene::ComparedScene;
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::plots::excursion_note::ExcursionNote;
 use crate::wording::words;
@@ -50,7 +50,7 @@ pub(crate) struct Plots {
 #[derive(Debug)]
 struct Sampled {
     /// The revisions of the scene and of the compared scene.
-    of: (Edition, Option<Edition>),
+    of: (SceneRevision, Option<SceneRevision>),
     /// The plotted quantities, in the order of the panels.
     names: Vec<String>,
     outcome: SamplingOutcome,

@@ -3,14 +3,14 @@
 use crate::page::Page;
 use crate::quantity::Catalogue;
 use crate::report::brief_cycle;
-use crate::tui::player::edition::Edition;
+use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
 
 /// Stroke, turns, time ratio, dwell and rate of a quantity, one line each, and the full summary as
 /// a page.
 #[derive(Debug, Default)]
 pub(crate) struct ExcursionNote {
-    of: Option<(Edition, String)>,
+    of: Option<(SceneRevision, String)>,
     lines: Vec<String>,
     page: Page,
 }

@@ -21,7 +21,7 @@ use crate::wording::words;
 pub(super) use facts::mode;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use told::ToldAbove;
+use told::MessageLines;
 pub(super) use told::broken;
 use writer::Writer;
 
@@ -39,7 +39,7 @@ const HINTS: u16 = 26;
 /// Renders the status line, and above it a message that is too long for it.
 pub(super) fn render(app: &App, screen: Rect, buffer: &mut Buffer) {
     if let Some(message) = line(app, row(screen, screen.height - 1), buffer) {
-        ToldAbove::of(&message, app, screen).render(buffer);
+        MessageLines::of(&message, app, screen).render(buffer);
     }
 }
 
@@ -51,7 +51,7 @@ pub(super) fn placed_above(app: &App, screen: Rect) -> Rect {
     let last = row(screen, screen.height - 1);
     let untold = line(app, last, &mut Buffer::empty(last));
     untold.map_or(Rect::ZERO, |message| {
-        ToldAbove::of(&message, app, screen).place
+        MessageLines::of(&message, app, screen).place
     })
 }
 
@@ -96,7 +96,7 @@ fn with_message(app: &App, narrow: bool, message: &str, line: &mut Writer<'_>) -
             line.leave_untold(message);
             return false;
         }
-        return line.tell_alone(message, app);
+        return line.replace_with_message(message, app);
     };
     line.gap(1);
     // A truncated number would be a different one, so the driver is shown completely or not at all.

@@ -31,7 +31,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::Candidates => candidate(app, line),
         Mode::Search(search) => sought(app, &search.name, line),
         Mode::Value(_) => value(app, line),
-        Mode::Copy => how_much(line),
+        Mode::Copy => write_copy_hints(line),
         Mode::Palette(_) => {
             line.gap(1);
             keys(words().do_it(), words().back(), app, line);
@@ -251,7 +251,7 @@ fn candidate(app: &App, line: &mut Writer<'_>) {
 }
 
 /// Renders the keys that choose how much of the tables is copied.
-fn how_much(line: &mut Writer<'_>) {
+fn write_copy_hints(line: &mut Writer<'_>) {
     line.gap(1);
     for (key, name) in [
         ("v", words().value()),

@@ -20,14 +20,14 @@ use ratatui::widgets::{Clear, Widget};
 const INDENT: u16 = 1;
 
 /// The lines of a message above the status line, and their area.
-pub(in crate::tui::views) struct ToldAbove {
+pub(in crate::tui::views) struct MessageLines {
     lines: Vec<String>,
     pub(in crate::tui::views) place: Rect,
 }
 
-impl ToldAbove {
+impl MessageLines {
     /// Arranges a message on a screen, whose first line stays visible.
-    pub(super) fn of(message: &str, app: &App, screen: Rect) -> ToldAbove {
+    pub(super) fn of(message: &str, app: &App, screen: Rect) -> MessageLines {
         let width = usize::from(screen.width.saturating_sub(2 * INDENT)).max(1);
         let mut lines = broken(&shown(message, app.glyphs()), width);
         let most = usize::from(screen.height.saturating_sub(2));
@@ -43,7 +43,7 @@ impl ToldAbove {
             height,
             ..screen
         };
-        ToldAbove { lines, place }
+        MessageLines { lines, place }
     }
 
     pub(in crate::tui::views) fn render(&self, buffer: &mut Buffer) {

@@ -69,7 +69,7 @@ impl<'a> Writer<'a> {
 
     /// Writes a message in place of the whole line. Returns `false` if it is too long; it is then
     /// kept for the lines above.
-    pub(super) fn tell_alone(&mut self, message: &str, app: &App) -> bool {
+    pub(super) fn replace_with_message(&mut self, message: &str, app: &App) -> bool {
         let told = shown(message, app.glyphs());
         let spare = self.area.width.checked_sub(columns(&told));
         let Some(spare) = spare else {

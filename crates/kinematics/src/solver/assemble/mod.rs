@@ -146,9 +146,9 @@ impl Assembler<'_> {
     ) -> Result<(), Halt> {
         self.lead_in(number, engine, state);
         let way = if self.key(number, engine).is_some() {
-            self.meant_side(number, engine, state)?
+            self.intended_side(number, engine, state)?
         } else if self.coupled(number, engine).is_some() {
-            self.meant_root(number, engine, state)?
+            self.intended_root(number, engine, state)?
         } else {
             Placement::Only
         };
@@ -258,7 +258,7 @@ impl Assembler<'_> {
     }
 
     /// Returns the picked side, or the one nearer to the approximate positions.
-    fn meant_side(
+    fn intended_side(
         &self,
         number: usize,
         engine: &mut Engine,

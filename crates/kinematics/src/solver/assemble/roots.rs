@@ -73,7 +73,7 @@ impl Assembler<'_> {
     }
 
     /// Returns the picked solution, or the one nearest to the approximate positions.
-    pub(super) fn meant_root(
+    pub(super) fn intended_root(
         &self,
         number: usize,
         engine: &Engine,

@@ -2,7 +2,7 @@
 
 use super::errors::{Errors, size};
 use super::influence::Influences;
-use super::limb::Limb;
+use super::limb::LinkVector;
 use super::meeting::{Meeting, Met, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
@@ -58,10 +58,10 @@ pub(super) fn limb_of<S: Simd, const FUSED: bool>(
     arm: &Arm,
     (end, link): (&Places<f64x2<S>>, &Bodies<f64x2<S>>),
     state: &State,
-) -> Limb<f64x2<S>, FUSED> {
+) -> LinkVector<f64x2<S>, FUSED> {
     let pivot = Places::of(simd, &state.points[arm.pivot.index()]);
     let stretch = stretch::<_, FUSED>(link.d);
-    Limb::new(end, &pivot, link, &LinkShape::of_arm(simd, arm), stretch)
+    LinkVector::new(end, &pivot, link, &LinkShape::of_arm(simd, arm), stretch)
 }
 
 impl Errors {

@@ -2,7 +2,7 @@
 
 use super::driver::CrankDirection;
 use super::errors::{Errors, LinkError, PointError, size};
-use super::limb::{Drift, Limb, Moved, RESIDUAL, SUM, Turned};
+use super::limb::{Drift, LinkVector, Moved, RESIDUAL, SUM, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use super::places::{Bodies, Places};
 use super::shape::LinkShape;
@@ -21,7 +21,7 @@ struct Swung<V> {
     own: V,
 }
 
-impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
+impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
     /// Returns the change of the vector or of a rate. `carried` is the contribution of lower
     /// orders' rests.
     #[inline(always)]
@@ -108,7 +108,7 @@ impl Errors {
         let from = PointOff::of(simd, self.point(base));
         let by = LinkOff::of(simd, self.link(link));
         let shape = LinkShape::at(simd, local);
-        let limb = Limb::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
+        let limb = LinkVector::<_, FUSED>::new(&x, &p, &body, &shape, by.stretch).lengthened();
         let ways = limb.swung(order, &by);
         let mut error = PointOff::none(number(simd, 0.0));
         for (k, Swung { way, .. }) in ways.iter().enumerate() {
@@ -203,19 +203,19 @@ impl Errors {
             PlacedPart::Point(point) => {
                 let i = point.index();
                 let error = PointError::of_sharp(&from.points[i], &state.points[i]);
-                self.stand_alone(point, error, state, enclosure);
+                self.set_independent_point(point, error, state, enclosure);
             }
             PlacedPart::Link(link) => {
                 let i = link.index();
                 let error = LinkError::of_sharp(&from.links[i], &state.links[i]);
-                self.turn_alone(link, error, state, enclosure);
+                self.set_independent_link(link, error, state, enclosure);
             }
             PlacedPart::Slide(_) => {}
         }
     }
 
     /// Stores a point whose error is independent of all others.
-    fn stand_alone(
+    fn set_independent_point(
         &mut self,
         point: PointId,
         error: PointError,
@@ -229,7 +229,7 @@ impl Errors {
     }
 
     /// Stores a link whose error is independent of all others.
-    fn turn_alone(
+    fn set_independent_link(
         &mut self,
         link: LinkId,
         error: LinkError,

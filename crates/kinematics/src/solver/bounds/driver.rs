@@ -21,33 +21,33 @@ const RADIAN: f64 = 0.017_453_292_519_943_3;
 /// The intended driver coordinate, relative to the double as which it was read. A coordinate of
 /// more than 15 digits is that double. One of fewer digits is the decimal as which it is printed.
 #[derive(Clone, Copy, Debug, Default)]
-pub(in crate::solver) struct AskedCoordinate {
+pub(in crate::solver) struct IntendedCoordinate {
     /// The difference of the intended coordinate from the double.
     pub(in crate::solver) rest: f64,
     /// The maximum error of that difference.
     pub(in crate::solver) radius: f64,
 }
 
-impl AskedCoordinate {
+impl IntendedCoordinate {
     /// Returns the intended coordinate of a double.
     #[inline(always)]
-    pub(in crate::solver) fn of<const FUSED: bool>(at: f64) -> AskedCoordinate {
+    pub(in crate::solver) fn of<const FUSED: bool>(at: f64) -> IntendedCoordinate {
         // A whole number is exact.
         if at.abs() < MAX_DIGITS && at == at.trunc() {
-            return AskedCoordinate::default();
+            return IntendedCoordinate::default();
         }
         if at.abs() >= MAX_DIGITS {
-            return AskedCoordinate::within(typed_radius_of_many(at));
+            return IntendedCoordinate::within(typed_radius_of_many(at));
         }
         let Some(unit) = unit_of(at.abs()) else {
-            return AskedCoordinate::within(typed_radius(at));
+            return IntendedCoordinate::within(typed_radius(at));
         };
         // Both are whole and below 2^53: their quotient is the double as which the decimal is read.
         let Product { hi, lo } = Halves::<FUSED>::of(at).times(Halves::of(unit));
         let whole = hi.round_ties_even();
         if whole.abs() < MAX_DIGITS && whole / unit == at {
             let rest = ((whole - hi) - lo) * (1.0 / unit);
-            let asked = AskedCoordinate {
+            let asked = IntendedCoordinate {
                 rest,
                 radius: rest.abs() * (4.0 * U),
             };
@@ -56,17 +56,17 @@ impl AskedCoordinate {
             if is_short {
                 asked
             } else {
-                AskedCoordinate::within(asked.most())
+                IntendedCoordinate::within(asked.most())
             }
         } else {
-            AskedCoordinate::default()
+            IntendedCoordinate::default()
         }
     }
 
     /// Returns a coordinate within `radius` of the double.
     #[inline(always)]
-    pub(super) fn within(radius: f64) -> AskedCoordinate {
-        AskedCoordinate { rest: 0.0, radius }
+    pub(super) fn within(radius: f64) -> IntendedCoordinate {
+        IntendedCoordinate { rest: 0.0, radius }
     }
 
     /// Returns the maximum distance from the double.
@@ -126,7 +126,7 @@ impl CrankDirection {
     #[inline(always)]
     pub(super) fn at<const FUSED: bool>(
         at: f64,
-        asked: AskedCoordinate,
+        asked: IntendedCoordinate,
         is_long: bool,
     ) -> CrankDirection {
         let (close, off) = if is_long {
@@ -156,7 +156,7 @@ mod tests {
     use super::*;
 
     fn asked_radius<const FUSED: bool>(at: f64) -> f64 {
-        AskedCoordinate::of::<FUSED>(at).most()
+        IntendedCoordinate::of::<FUSED>(at).most()
     }
 
     #[test]
@@ -177,7 +177,7 @@ mod tests {
         assert!(off > 2.84e-15 && off < 2.85e-15, "{off:e}");
         assert_eq!(asked_radius::<false>(-39.3), off);
         // The double is below 39.3.
-        let asked = AskedCoordinate::of::<false>(39.3);
+        let asked = IntendedCoordinate::of::<false>(39.3);
         assert!(asked.rest > 2.84e-15 && asked.radius < 1e-29, "{asked:?}");
         assert_eq!(asked_radius::<false>(1e-12), typed_radius(1e-12));
         // 1e23 is not representable as a double, and neither is the next value; 1e22 is.

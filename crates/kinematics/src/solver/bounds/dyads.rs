@@ -3,7 +3,7 @@
 use super::aim::limb_of;
 use super::errors::Errors;
 use super::influence::Influences;
-use super::limb::Limb;
+use super::limb::LinkVector;
 use super::meeting::{Meeting, meet};
 use super::off::PointOff;
 use super::places::{Bodies, Places};
@@ -40,7 +40,7 @@ struct ArmPair<'a, S: Simd> {
 
 impl<'a, S: Simd> ArmPair<'a, S> {
     #[inline(always)]
-    fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &Limb<f64x4<S>, FUSED>) -> Self {
+    fn of<const FUSED: bool>(dyad: &'a Circles, limbs: &LinkVector<f64x4<S>, FUSED>) -> Self {
         let opposite = others(limbs.e);
         // e2 . (k x e1) is e1 x e2.
         let inverse = opposite.all(1.0) / opposite.dot(limbs.across[0]);
@@ -193,7 +193,7 @@ impl Circles {
             &Bodies::of(simd, &state.links[near.link.index()]),
             &Bodies::of(simd, &state.links[far.link.index()]),
         );
-        let limbs = Limb::<_, FUSED>::new(
+        let limbs = LinkVector::<_, FUSED>::new(
             &Places::both(&x, &x),
             &pivots,
             &links,

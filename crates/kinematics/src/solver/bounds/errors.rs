@@ -4,7 +4,7 @@
 //! first-order correction from the residuals. Only a bound of the rest is known: errors that no
 //! residual shows, such as the error of a typed driver coordinate, and terms of second order.
 
-use super::driver::AskedCoordinate;
+use super::driver::IntendedCoordinate;
 use super::influence::Influences;
 use super::limb::SUM;
 use super::off::{Enclosed, LinkOff, PointOff};
@@ -192,12 +192,12 @@ impl Errors {
     /// Returns the enclosure of the intended driver coordinate. Close to an end of the motion the
     /// double itself may be intended as well.
     #[inline(always)]
-    pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> AskedCoordinate {
-        let asked = AskedCoordinate::of::<FUSED>(at);
+    pub(super) fn asked<const FUSED: bool>(&self, at: f64, is_clear: bool) -> IntendedCoordinate {
+        let asked = IntendedCoordinate::of::<FUSED>(at);
         if self.is_decimal && is_clear && self.driven == 0.0 {
             asked
         } else {
-            AskedCoordinate::within(asked.most().max(self.driven))
+            IntendedCoordinate::within(asked.most().max(self.driven))
         }
     }
 

@@ -43,7 +43,7 @@ const TURNING: f64 = 16.0 * U;
 
 /// The change of a vector, or of its rate, without the rotation of its own order: the shift, its
 /// maximum size, and the unknown part. The latter excludes the contribution of rests of lower
-/// orders, see [`Limb::carried_rate`].
+/// orders, see [`LinkVector::carried_rate`].
 #[derive(Clone, Copy)]
 pub(super) struct Drift<V> {
     pub shift: V,
@@ -70,7 +70,7 @@ pub(super) struct Turned<V> {
 /// A vector between two points of a link with its residual, or two such vectors at once. The
 /// residuals of the rates are computed on demand: they do not depend on the results of lower
 /// orders, so both computations overlap.
-pub(super) struct Limb<V, const FUSED: bool> {
+pub(super) struct LinkVector<V, const FUSED: bool> {
     pub e: V,
     /// k x e, for the high and the low part of the vector.
     pub across: [V; 2],
@@ -96,7 +96,7 @@ pub(super) struct LimbRate<V> {
     speed: V,
 }
 
-impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
+impl<V: Plane, const FUSED: bool> LinkVector<V, FUSED> {
     /// Creates the vector from `p` to `x`, on a link whose direction is too short by `stretch`.
     #[inline(always)]
     pub(super) fn new(
@@ -111,7 +111,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         let miss = (e - carried) + (lost - low);
         let strain = miss.size() + stretch.abs() * shape.length;
         let length = shape.length * (1.0 + LONGER);
-        Limb {
+        LinkVector {
             e,
             across: [e.perp(), lost.perp()],
             ends: [*x, *p],
@@ -127,7 +127,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 
     /// Computes the rate of the vector, and rho.
     #[inline(always)]
-    fn see_rate(&self) -> ([V; 2], V) {
+    fn rate_residual(&self) -> ([V; 2], V) {
         let [x, p] = &self.ends;
         let [w, low] = x.v.plus(-p.v);
         let [across, lost] = self.across;
@@ -139,7 +139,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
 
     /// Computes sigma.
     #[inline(always)]
-    fn see_second(&self, rate: &LimbRate<V>) -> V {
+    fn second_residual(&self, rate: &LimbRate<V>) -> V {
         let [x, p] = &self.ends;
         let [a, low] = x.a.plus(-p.a);
         let ([e, e_lost], [w, w_lost]) = (self.across, rate.across);
@@ -166,7 +166,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
     /// Returns the drift of the rate, given the change of e, and the rate.
     #[inline(always)]
     pub(super) fn drift_of_rate(&self, e: &Moved<V>) -> (Drift<V>, LimbRate<V>) {
-        let (across, rho) = self.see_rate();
+        let (across, rho) = self.rate_residual();
         let (omega, off) = (self.omega.abs(), rho.size());
         let most = omega * e.most + off;
         let drift = Drift {
@@ -186,7 +186,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
         rate: &LimbRate<V>,
         spin: &Turned<V>,
     ) -> Drift<V> {
-        let sigma = self.see_second(rate);
+        let sigma = self.second_residual(rate);
         let (omega, alpha) = (self.omega.abs(), self.alpha.abs());
         let most = alpha * e.most + omega * w.most + spin.most * rate.speed + sigma.size();
         Drift {
@@ -222,7 +222,7 @@ impl<V: Plane, const FUSED: bool> Limb<V, FUSED> {
     #[inline(always)]
     pub(super) fn lengthened(self) -> Self {
         let length = self.length + self.strain;
-        Limb { length, ..self }
+        LinkVector { length, ..self }
     }
 
     /// Returns `true` if the vector is as long as the link, within tolerance. Written so that NaN

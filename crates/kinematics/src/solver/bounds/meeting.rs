@@ -34,7 +34,7 @@
 //! next is thus known as a multiple of R before R is.
 
 use super::influence::Influences;
-use super::limb::{Drift, Limb, Moved, RESIDUAL, Turned};
+use super::limb::{Drift, LinkVector, Moved, RESIDUAL, Turned};
 use super::off::{LinkOff, PointOff, rounding};
 use crate::arithmetic::plane::Plane;
 use crate::solver::elements::{ACCELERATION, VELOCITY};
@@ -92,7 +92,7 @@ struct OpenOrder<V> {
 
 /// The data common to all orders of a meeting.
 struct MeetingView<'a, V, M, const FUSED: bool> {
-    limb: &'a Limb<V, FUSED>,
+    limb: &'a LinkVector<V, FUSED>,
     from: &'a PointOff<V>,
     meeting: &'a M,
     gains: V,
@@ -213,7 +213,7 @@ impl<V: Plane, M: Meeting<V>, const FUSED: bool> MeetingView<'_, V, M, FUSED> {
 #[inline(always)]
 pub(super) fn meet<V: Plane, const FUSED: bool>(
     order: u8,
-    limb: &Limb<V, FUSED>,
+    limb: &LinkVector<V, FUSED>,
     from: &PointOff<V>,
     meeting: &impl Meeting<V>,
     rows: &mut Influences,

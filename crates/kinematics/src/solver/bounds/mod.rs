@@ -46,8 +46,8 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::plane::Simd;
 use crate::arithmetic::{Fusing, Sharp, fused, plainly};
 use crate::{Ball, Double, Number, Vec2};
-pub(super) use driver::AskedCoordinate;
 use driver::CrankDirection;
+pub(super) use driver::IntendedCoordinate;
 use off::LinkOff;
 use places::Bodies;
 
@@ -104,7 +104,7 @@ impl Solver {
     /// Returns the intended coordinate. Close to an end of the motion it is the double itself.
     pub(super) fn meant_coordinate(&self, at: f64) -> Double {
         if self.mechanism.has_decimals() && self.motion.is_clear(at) {
-            AskedCoordinate::of::<false>(at).close(at)
+            IntendedCoordinate::of::<false>(at).close(at)
         } else {
             Double::exactly(at)
         }
@@ -333,7 +333,7 @@ impl Engine {
     /// Runs a step in double-double. Returns `true` if that succeeded.
     fn enclose_closely(
         &self,
-        (step, order, asked): (&Step, u8, AskedCoordinate),
+        (step, order, asked): (&Step, u8, IntendedCoordinate),
         state: &State,
         enclosure: &mut State<Ball>,
         errors: &mut Errors,

@@ -8,7 +8,7 @@ use crate::{Body, Input, Mechanism, Number, PointId, SlideId, Slider, Vec2};
 
 /// The connections of the mechanism to the ground.
 #[derive(Clone, Debug)]
-pub(super) struct Framed {
+pub(super) struct GroundConnections {
     /// The members of links that are ground points.
     pins: Vec<(Slot, PointId)>,
     /// All points of the ground.
@@ -24,8 +24,8 @@ pub(super) struct Framed {
     turned: Vec<bool>,
 }
 
-impl Framed {
-    pub(super) fn new(mechanism: &Mechanism, slots: &Slots) -> Framed {
+impl GroundConnections {
+    pub(super) fn new(mechanism: &Mechanism, slots: &Slots) -> GroundConnections {
         let is_ground = |p: PointId| mechanism.point(p).ground.is_some();
         let pins = slots.members.iter().enumerate();
         let pins = pins.filter(|(_, p)| is_ground(**p)).map(|(s, &p)| (s, p));
@@ -40,7 +40,7 @@ impl Framed {
             Slider::Pin(_) => None,
             Slider::Link { link, origin, .. } => Some((id, slots.of(link, origin), driven(id))),
         });
-        Framed {
+        GroundConnections {
             pins: pins.collect(),
             points: mechanism.point_ids().filter(|&p| is_ground(p)).collect(),
             guides: guides

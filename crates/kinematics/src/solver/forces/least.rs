@@ -6,7 +6,7 @@
 //! the sum of squares over all forces at pins and guides, and over moments divided by the longest
 //! length. They are the reactions for pins and guides of equal compliance.
 
-use super::open::{FELT, Felt, probes};
+use super::open::{DirectAction, MIN_REACTION, probes};
 use super::{Balance, ForceState, Indeterminate};
 use crate::solver::network::Network;
 use crate::solver::workspace::Workspace;
@@ -52,7 +52,7 @@ impl LeastNorm {
 }
 
 /// Returns all reactions as one vector.
-fn listed(forces: &ForceState<f64>, felt: &Felt, members: usize) -> DVector<f64> {
+fn listed(forces: &ForceState<f64>, felt: &DirectAction, members: usize) -> DVector<f64> {
     let joints = forces.joints.iter().zip(&felt.joints).take(members);
     let joints = joints.flat_map(|(&a, &b)| [(a + b).x, (a + b).y]);
     let normals = forces.normals.iter().zip(&felt.normals);
@@ -90,7 +90,7 @@ fn least(
     let members = balance.slots.members.len();
     let slides = balance.open.normals.len();
     let found = work.state.forces.as_deref()?;
-    let mut reactions = listed(found, &Felt::new(&balance.open), members);
+    let mut reactions = listed(found, &DirectAction::new(&balance.open), members);
     // Moments are weighted by their force at the end of the longest length.
     let moments = 2 * members + slides..reactions.len();
     let weigh = |all: &mut DVector<f64>, by: f64| {
@@ -109,7 +109,7 @@ fn least(
         let size = unit.norm();
         without(&mut unit, &units);
         let left = unit.norm();
-        if left > FELT.max(ALIKE * size) {
+        if left > MIN_REACTION.max(ALIKE * size) {
             units.push(unit / left);
         }
     });

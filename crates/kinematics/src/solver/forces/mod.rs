@@ -33,7 +33,7 @@ use super::{Order, Solver, Workspace};
 use crate::arithmetic::Sharp;
 use crate::{Ball, Input, LinkId, Number, PointId, SlideId, Slider, StrokeEnd, Vec2};
 use applied::{Acting, Bears};
-use frame::Framed;
+use frame::GroundConnections;
 use locked::Locked;
 use open::Open;
 use std::sync::Arc;
@@ -216,7 +216,7 @@ pub(super) struct Balance {
     /// The reactions that a redundant linkage leaves undetermined.
     open: Arc<Open>,
     indeterminate: Vec<Indeterminate>,
-    frame: Framed,
+    frame: GroundConnections,
     inputs: Arc<[Input]>,
 }
 
@@ -271,7 +271,7 @@ impl Balance {
             locked: Locked::new(network, &engine.program),
             open: Arc::new(Open::none(mechanism, &slots)),
             indeterminate: Vec::new(),
-            frame: Framed::new(mechanism, &slots),
+            frame: GroundConnections::new(mechanism, &slots),
             inputs: mechanism.inputs().collect(),
             sliders: mechanism
                 .slides()

@@ -15,7 +15,7 @@ use crate::solver::{Order, Solver};
 use crate::{Body, LinkId, Mechanism, PointId, SlideId, Slider, Vec2};
 
 /// The fraction of a unit force below which a reaction is rounding error.
-pub(super) const FELT: f64 = 1e-9;
+pub(super) const MIN_REACTION: f64 = 1e-9;
 /// Fractions of the motion at which constraints are tried, in addition to the opening coordinate.
 /// An undetermined reaction may vanish at a single place, and scenes open at special ones.
 const PLACES: [f64; 4] = [0.137, 0.382, 0.618, 0.861];
@@ -74,7 +74,7 @@ impl Open {
         open
     }
 
-    fn mark(&mut self, forces: &ForceState<f64>, felt: &Felt) {
+    fn mark(&mut self, forces: &ForceState<f64>, felt: &DirectAction) {
         let joints = forces.joints.iter().zip(&felt.joints);
         for (open, (&a, &b)) in self.joints.iter_mut().zip(joints) {
             *open |= is_felt((a + b).norm());
@@ -118,7 +118,7 @@ pub(super) fn probes(
     network: &Network<'_>,
     solver: &Solver,
     work: &mut Workspace,
-    mut tell: impl FnMut(&ForceState<f64>, &Felt),
+    mut tell: impl FnMut(&ForceState<f64>, &DirectAction),
 ) {
     for watch in &solver.engine.program.watches {
         probe(balance, solver, work, &mut tell, |state, forces, felt| {
@@ -144,15 +144,15 @@ fn probe(
     balance: &Balance,
     solver: &Solver,
     work: &mut Workspace,
-    tell: &mut impl FnMut(&ForceState<f64>, &Felt),
-    press: impl Fn(&State, &mut ForceState<f64>, &mut Felt),
+    tell: &mut impl FnMut(&ForceState<f64>, &DirectAction),
+    press: impl Fn(&State, &mut ForceState<f64>, &mut DirectAction),
 ) {
     let Workspace { state, scratch, .. } = work;
     let Some(mut forces) = state.forces.take() else {
         return;
     };
     forces.clear();
-    let mut felt = Felt::new(&balance.open);
+    let mut felt = DirectAction::new(&balance.open);
     press(state, &mut forces, &mut felt);
     if balance.run_back(&solver.engine, state, scratch, &mut forces) {
         balance.locked.finish(&mut forces);
@@ -165,19 +165,19 @@ fn probe(
 
 /// Returns `true` if a reaction is larger than rounding. NaN counts as a reaction.
 fn is_felt(size: f64) -> bool {
-    !(size <= FELT)
+    !(size <= MIN_REACTION)
 }
 
 /// The direct action of a loaded constraint on links and slides, initially zero.
-pub(super) struct Felt {
+pub(super) struct DirectAction {
     pub(super) joints: Vec<Vec2>,
     pub(super) normals: Vec<f64>,
     pub(super) moments: Vec<f64>,
 }
 
-impl Felt {
-    pub(super) fn new(open: &Open) -> Felt {
-        Felt {
+impl DirectAction {
+    pub(super) fn new(open: &Open) -> DirectAction {
+        DirectAction {
             joints: vec![Vec2::ZERO; open.joints.len()],
             normals: vec![0.0; open.normals.len()],
             moments: vec![0.0; open.moments.len()],
@@ -192,7 +192,7 @@ fn press(
     network: &Network<'_>,
     state: &State,
     forces: &mut ForceState<f64>,
-    felt: &mut Felt,
+    felt: &mut DirectAction,
 ) {
     let at = |p: PointId| state.points[p.index()].p;
     let mut pair = |from: PointId, to: PointId, force: Vec2, forces: &mut ForceState<f64>| {

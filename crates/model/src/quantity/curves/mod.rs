@@ -32,7 +32,7 @@ pub enum Abscissa {
 
 /// The reason why curves over time are impossible.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
-pub enum NoTime {
+pub enum TimeError {
     /// The driver's speed is 0.
     #[error("{}", words().no_time_passes())]
     StandsStill,
@@ -114,9 +114,9 @@ impl Curves {
         quantities: &[Quantity],
         abscissa: Abscissa,
         window: Option<(f64, f64)>,
-    ) -> Result<Curves, NoTime> {
+    ) -> Result<Curves, TimeError> {
         let clock = match abscissa {
-            Abscissa::Time => Some(Clock::of(scene).ok_or(NoTime::StandsStill)?),
+            Abscissa::Time => Some(Clock::of(scene).ok_or(TimeError::StandsStill)?),
             Abscissa::Driver | Abscissa::Figure(_) => None,
         };
         let range = solver.motion().range;
@@ -295,9 +295,9 @@ impl Curves {
     }
 
     /// Returns the abscissa and the value of every curve over time, in a state whose driver has the
-    /// rates of that time, see [`DriverStand`].
+    /// rates of that time, see [`DriverState`].
     ///
-    /// [`DriverStand`]: crate::quantity::DriverStand
+    /// [`DriverState`]: crate::quantity::DriverState
     #[must_use]
     pub fn here_at(&self, time: f64, state: &State) -> Here {
         self.beside(self.within(time), |quantity| quantity.value(state))
@@ -387,13 +387,13 @@ fn stretch(
     range: Range,
     clock: Option<&Clock>,
     window: Option<(f64, f64)>,
-) -> Result<(f64, f64), NoTime> {
+) -> Result<(f64, f64), TimeError> {
     match (clock, window) {
         (None, Some((from, to))) => Ok((from.min(to), from.max(to))),
         (None, None) => Ok(range.ends()),
         (Some(clock), None) => Ok(clock.span(range)),
         (Some(clock), Some((from, to))) => {
-            let time = |at| clock.time(at).ok_or(NoTime::TurnsBack(at));
+            let time = |at| clock.time(at).ok_or(TimeError::TurnsBack(at));
             let (from, to) = (time(from)?, time(to)?);
             Ok((from.min(to), from.max(to)))
         }

@@ -313,7 +313,7 @@ fn time_abscissa_needs_nonzero_speed() {
     let (scene, solver) = opened(&text);
     let figures = Catalogue::new(&scene).select(&["C.x"]).unwrap();
     let none = Curves::new(&scene, &solver, &figures, Abscissa::Time, None);
-    assert!(matches!(none, Err(NoTime::StandsStill)));
+    assert!(matches!(none, Err(TimeError::StandsStill)));
 }
 
 /// A Peaucellier linkage's straight line and its rates deviate only by rounding errors, larger ones

@@ -1,7 +1,7 @@
 //! The active constraints and bounds of a design, with their Lagrange multipliers.
 
 use super::GoalSense;
-use super::judge::{DesignSlopes, Judge, JudgedDesign, is_finite};
+use super::judge::{DesignEvaluator, DesignSlopes, JudgedDesign, is_finite};
 use nalgebra::{DMatrix, DVector};
 
 /// The slack below which a constraint counts as active, relative to its size.
@@ -32,7 +32,7 @@ struct MayHold {
 
 /// The active constraints and bounds at a design.
 #[derive(Clone, Debug)]
-pub(super) struct DesignHold {
+pub(super) struct ActiveSet {
     /// The indices of the active constraints.
     pub(super) rows: Vec<usize>,
     /// The normals of the active constraints, then of the active bounds, one per row.
@@ -45,7 +45,7 @@ pub(super) struct DesignHold {
 
 impl Holds {
     /// Finds the constraints and bounds without slack at a design.
-    pub(super) fn at(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> Holds {
+    pub(super) fn at(judge: &DesignEvaluator, here: &JudgedDesign, slopes: &DesignSlopes) -> Holds {
         let mut all = Vec::new();
         for (i, goal) in judge.constraints.iter().enumerate() {
             let is_equal = goal.sense == GoalSense::Equal;
@@ -95,10 +95,14 @@ impl Holds {
     }
 }
 
-impl DesignHold {
+impl ActiveSet {
     /// Finds the active set: inequalities with negative multipliers are removed one after another,
     /// the most negative first.
-    pub(super) fn of(judge: &Judge, here: &JudgedDesign, slopes: &DesignSlopes) -> DesignHold {
+    pub(super) fn of(
+        judge: &DesignEvaluator,
+        here: &JudgedDesign,
+        slopes: &DesignSlopes,
+    ) -> ActiveSet {
         let mut holds = Holds::at(judge, here, slopes);
         loop {
             let normals = holds.normals();
@@ -115,7 +119,7 @@ impl DesignHold {
                 0 => DVector::zeros(slopes.value.len()),
                 _ => normals.tr_mul(&multipliers),
             };
-            return DesignHold {
+            return ActiveSet {
                 rows: holds.all.iter().filter_map(|one| one.row).collect(),
                 free: &slopes.value - held,
                 normals,

@@ -16,13 +16,13 @@ const SINGULAR: f64 = 1e-9;
 
 /// The score of a design, smaller is better: its total miss, then its value. Infinite without a
 /// design.
-pub(super) type Worth = (f64, f64);
+pub(super) type DesignScore = (f64, f64);
 
-pub(super) const NONE: Worth = (f64::INFINITY, f64::INFINITY);
+pub(super) const NONE: DesignScore = (f64::INFINITY, f64::INFINITY);
 
 /// Evaluates designs. The first figure is optimized, the others belong to the constraints.
 #[derive(Clone, Debug)]
-pub(super) struct Judge {
+pub(super) struct DesignEvaluator {
     pub(super) figures: DesignFigures,
     pub(super) constraints: Vec<Goal>,
     /// The bounds of each number.
@@ -38,7 +38,7 @@ pub(super) struct JudgedDesign {
     pub(super) value: f64,
     /// The slack of each constraint; see [`Goal::slack`].
     pub(super) slacks: DVector<f64>,
-    pub(super) worth: Worth,
+    pub(super) worth: DesignScore,
 }
 
 /// The derivatives of a design's evaluation by its numbers, each relative to the range between its
@@ -50,7 +50,7 @@ pub(super) struct DesignSlopes {
     pub(super) slacks: DMatrix<f64>,
 }
 
-impl Judge {
+impl DesignEvaluator {
     /// Creates an evaluator of designs between the axes' bounds. The misses of each constraint are
     /// scaled by the required change.
     pub(super) fn new(
@@ -58,7 +58,7 @@ impl Judge {
         constraints: &[Goal],
         axes: &[PlanAxis],
         greatest: bool,
-    ) -> Judge {
+    ) -> DesignEvaluator {
         let given = figures.space().given();
         let mut figures = figures.clone();
         let values = figures.of(&given).unwrap_or_default();
@@ -69,7 +69,7 @@ impl Judge {
             let [low, high] = axis.ends.unwrap_or([*given; 2]);
             [low.min(high), low.max(high)]
         });
-        Judge {
+        DesignEvaluator {
             constraints: pairs.map(|(goal, value)| goal.from(value)).collect(),
             ends: ends.collect(),
             figures,
@@ -101,7 +101,7 @@ impl Judge {
 
     /// Projects a design onto the equality constraints as far as possible; returns it with its
     /// score.
-    pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, Worth) {
+    pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, DesignScore) {
         match self.judge(numbers.clone()) {
             Some(design) => {
                 let design = self.onto(design, None);

@@ -4,7 +4,7 @@
 //! Burke, Lewis and Overton.
 
 use super::hold::{Holds, multipliers};
-use super::judge::{Judge, JudgedDesign};
+use super::judge::{DesignEvaluator, JudgedDesign};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences, relative to the distance at which slopes are sampled, so that none crosses
@@ -18,7 +18,7 @@ const STEPS: usize = 4000;
 
 /// The result of sampling slopes from all sides.
 #[derive(Clone, Debug)]
-pub(super) enum KinkLook {
+pub(super) enum KinkSampling {
     /// No small step improves the design.
     Lowest,
     /// This direction improves the design, to first order.
@@ -27,13 +27,17 @@ pub(super) enum KinkLook {
     Open,
 }
 
-impl KinkLook {
+impl KinkSampling {
     /// Samples slopes around a design that satisfies the constraints, at a given distance relative
     /// to the ranges.
-    pub(super) fn at(judge: &mut Judge, here: &JudgedDesign, beside: f64) -> KinkLook {
+    pub(super) fn at(
+        judge: &mut DesignEvaluator,
+        here: &JudgedDesign,
+        beside: f64,
+    ) -> KinkSampling {
         let part = DIFFERENCE * beside;
         let Some(own) = judge.slopes(here, part, true) else {
-            return KinkLook::Open;
+            return KinkSampling::Open;
         };
         let holds = Holds::at(judge, here, &own);
         let normals = holds.normals();
@@ -44,7 +48,7 @@ impl KinkLook {
             way[i] = sense * beside;
             let there = judge.judge(judge.moved(&here.numbers, &way));
             let Some(slopes) = there.and_then(|there| judge.slopes(&there, part, true)) else {
-                return KinkLook::Open;
+                return KinkSampling::Open;
             };
             let by = multipliers(&normals, &slopes.value);
             let held_back = match normals.nrows() {
@@ -57,15 +61,15 @@ impl KinkLook {
         }
         let (shortest, parts) = shortest_between(&free);
         if shortest.norm() > FLAT * greatest.max(here.value.abs()) {
-            return KinkLook::Down(-shortest);
+            return KinkSampling::Down(-shortest);
         }
         let mut held_by = DVector::zeros(normals.nrows());
         for (by, part) in held.iter().zip(&parts) {
             held_by += by * *part;
         }
         match holds.keep(&held_by) {
-            true => KinkLook::Lowest,
-            false => KinkLook::Open,
+            true => KinkSampling::Lowest,
+            false => KinkSampling::Open,
         }
     }
 }

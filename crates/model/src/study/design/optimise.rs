@@ -7,10 +7,10 @@
 //! its evaluation. The best design is polished. Equal seeds give equal designs, for any number of
 //! cores.
 
-use super::judge::{Judge, NONE, Worth};
+use super::judge::{DesignEvaluator, DesignScore, NONE};
 use super::polish::{Polished, polished};
 use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::parallel;
 
 /// Designs per generation for each variable value, and their minimum.
@@ -66,7 +66,7 @@ pub struct OptimiseState {
 /// Maximum number of generations without an improvement.
 const MAX_REST: u32 = 60;
 
-fn best_of(worths: &[Worth]) -> Worth {
+fn best_of(worths: &[DesignScore]) -> DesignScore {
     let better = |one, other| if other < one { other } else { one };
     worths.iter().copied().fold(NONE, better)
 }
@@ -83,13 +83,13 @@ impl BestDesign {
         order: OptimiseOrder,
         watch: &mut dyn FnMut(OptimiseState) -> bool,
     ) -> Option<BestDesign> {
-        let mut judge = Judge::new(figures, constraints, axes, order.greatest);
+        let mut judge = DesignEvaluator::new(figures, constraints, axes, order.greatest);
         let given = figures.space().given();
         let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
         let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
         let begun: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
         let mut is_stopped = false;
-        let mut go_on = |generations, best: Worth| {
+        let mut go_on = |generations, best: DesignScore| {
             let value = if order.greatest { -best.1 } else { best.1 };
             let best = (best.0 == 0.0).then_some(value);
             is_stopped = is_stopped || !watch(OptimiseState { generations, best });
@@ -97,7 +97,7 @@ impl BestDesign {
         };
         let from_start = &mut |_| go_on(0, NONE);
         let (mut generation, mut worth) = settled_all(&judge, &begun, order.threads, from_start);
-        let mut chance = SeededChance::new(order.seed ^ 0x5bd1_e995);
+        let mut chance = SeededRng::new(order.seed ^ 0x5bd1_e995);
         let mut made = 0;
         let mut settled = false;
         let (mut last, mut stays) = (NONE, 0);
@@ -158,12 +158,12 @@ impl BestDesign {
 /// Projects every design onto the equality constraints, on several threads; returns the designs
 /// with their scores. If `watch` returns `false`, returns those finished until then.
 fn settled_all(
-    judge: &Judge,
+    judge: &DesignEvaluator,
     designs: &[Vec<f64>],
     threads: usize,
     watch: &mut dyn FnMut(f64) -> bool,
-) -> (Vec<Vec<f64>>, Vec<Worth>) {
-    let settle = |judge: &mut Judge, i: usize| judge.settled(designs[i].clone());
+) -> (Vec<Vec<f64>>, Vec<DesignScore>) {
+    let settle = |judge: &mut DesignEvaluator, i: usize| judge.settled(designs[i].clone());
     let room = || judge.clone();
     let found = parallel::each(designs.len(), threads, room, settle, watch);
     found.into_iter().unzip()
@@ -174,7 +174,7 @@ fn trial(
     generation: &[Vec<f64>],
     of: usize,
     axes: &[PlanAxis],
-    chance: &mut SeededChance,
+    chance: &mut SeededRng,
 ) -> Vec<f64> {
     let [a, b, c] = three_others(generation.len(), of, chance);
     let own = &generation[of];
@@ -202,7 +202,7 @@ fn trial(
 }
 
 /// Returns three different numbers below a count of at least four, all different from `of`.
-fn three_others(count: usize, of: usize, chance: &mut SeededChance) -> [usize; 3] {
+fn three_others(count: usize, of: usize, chance: &mut SeededRng) -> [usize; 3] {
     let last = u32::try_from(count - 1).unwrap_or(u32::MAX);
     let mut others = [of; 3];
     for i in 0..3 {

@@ -1,7 +1,7 @@
 //! Plans of designs: a grid, or a Latin hypercube. Each design has a number, so that any part of a
 //! plan can be computed separately and repeated.
 
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::wording::words;
 use std::str::FromStr;
 use thiserror::Error;
@@ -127,7 +127,7 @@ impl DesignPlan {
     /// contains one design.
     #[must_use]
     pub fn latin(axes: &[PlanAxis], given: &[f64], count: u32, seed: u64) -> DesignPlan {
-        let mut chance = SeededChance::new(seed);
+        let mut chance = SeededRng::new(seed);
         let axes: Vec<PlanPlaces> = axes
             .iter()
             .zip(given)
@@ -198,7 +198,7 @@ fn places(axis: &PlanAxis, given: f64) -> PlanPlaces {
 }
 
 /// Returns the numbers below a count in random order (Fisher and Yates).
-fn shuffled(count: u32, chance: &mut SeededChance) -> Vec<u32> {
+fn shuffled(count: u32, chance: &mut SeededRng) -> Vec<u32> {
     let mut all: Vec<u32> = (0..count).collect();
     for last in (1..count).rev() {
         let other = chance.between(0, last);

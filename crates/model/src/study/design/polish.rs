@@ -3,9 +3,9 @@
 //! BFGS update). Each step is projected back onto the constraints, until the first-order conditions
 //! of Karush, Kuhn and Tucker hold.
 
-use super::hold::DesignHold;
-use super::judge::{DIFFERENCE, DesignSlopes, Judge, JudgedDesign, is_finite};
-use super::kink::KinkLook;
+use super::hold::ActiveSet;
+use super::judge::{DIFFERENCE, DesignEvaluator, DesignSlopes, JudgedDesign, is_finite};
+use super::kink::KinkSampling;
 use nalgebra::{DMatrix, DVector};
 
 /// Maximum number of steps, of steps at kinks, and of halvings of a step that does not improve.
@@ -31,7 +31,7 @@ pub(super) struct Polished {
 /// Improves a design until no small step along the constraints improves it, or until `watch`
 /// returns `false`.
 pub(super) fn polished(
-    judge: &mut Judge,
+    judge: &mut DesignEvaluator,
     design: JudgedDesign,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
@@ -52,7 +52,7 @@ pub(super) fn polished(
                 is_stationary: false,
             };
         }
-        let hold = DesignHold::of(judge, &here, &slopes);
+        let hold = ActiveSet::of(judge, &here, &slopes);
         is_stationary = here.worth.0 == 0.0 && hold.is_stationary(&here, &slopes);
         if is_stationary {
             break;
@@ -89,16 +89,20 @@ pub(super) fn polished(
 }
 
 /// Improves a design at a kink by slopes sampled around it, at decreasing distances.
-fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() -> bool) -> Polished {
+fn at_kink(
+    judge: &mut DesignEvaluator,
+    mut here: JudgedDesign,
+    watch: &mut dyn FnMut() -> bool,
+) -> Polished {
     let mut is_stationary = false;
     for beside in BESIDE {
         for _ in 0..KINKS {
-            let look = KinkLook::at(judge, &here, beside);
-            is_stationary = matches!(look, KinkLook::Lowest);
+            let look = KinkSampling::at(judge, &here, beside);
+            is_stationary = matches!(look, KinkSampling::Lowest);
             if !watch() {
                 break;
             }
-            let KinkLook::Down(way) = look else {
+            let KinkSampling::Down(way) = look else {
                 break;
             };
             let length = MAX_LEN / way.amax().max(f64::MIN_POSITIVE);
@@ -116,10 +120,10 @@ fn at_kink(judge: &mut Judge, mut here: JudgedDesign, watch: &mut dyn FnMut() ->
 
 /// Returns a step that improves the design, and the slopes after it.
 fn step(
-    judge: &mut Judge,
+    judge: &mut DesignEvaluator,
     here: &JudgedDesign,
     slopes: &DesignSlopes,
-    hold: &DesignHold,
+    hold: &ActiveSet,
     curvature: &DMatrix<f64>,
 ) -> Option<(JudgedDesign, DesignSlopes)> {
     let way = way(hold, &slopes.value, curvature)?;
@@ -132,7 +136,7 @@ fn step(
 /// Returns a better design in a direction, halving the step as necessary and projecting back onto
 /// the active constraints.
 fn bettered(
-    judge: &mut Judge,
+    judge: &mut DesignEvaluator,
     here: &JudgedDesign,
     way: &DVector<f64>,
     held: &[usize],
@@ -151,7 +155,7 @@ fn bettered(
 }
 
 /// Returns the step to the minimum of the quadratic model along the active constraints.
-fn way(hold: &DesignHold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DVector<f64>> {
+fn way(hold: &ActiveSet, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Option<DVector<f64>> {
     let (count, held) = (slope.len(), hold.normals.nrows());
     let mut matrix = DMatrix::zeros(count + held, count + held);
     matrix.view_mut((0, 0), (count, count)).copy_from(curvature);
@@ -175,9 +179,9 @@ fn way(hold: &DesignHold, slope: &DVector<f64>, curvature: &DMatrix<f64>) -> Opt
 
 /// Updates the matrix with the curvature along a step.
 fn update(
-    judge: &Judge,
+    judge: &DesignEvaluator,
     curvature: &mut DMatrix<f64>,
-    hold: &DesignHold,
+    hold: &ActiveSet,
     (before, slopes_before): (&JudgedDesign, &DesignSlopes),
     (after, slopes_after): (&JudgedDesign, &DesignSlopes),
 ) {

@@ -6,7 +6,7 @@
 
 use crate::expression::DirectionCut;
 use crate::nearest::nearest;
-use crate::quantity::{Catalogue, FigureSource, Quantity, Subject, demand, rate_unit};
+use crate::quantity::{Catalogue, Quantity, QuantitySource, Subject, demand, rate_unit};
 use crate::wording::words;
 use thiserror::Error;
 
@@ -117,7 +117,7 @@ impl CycleFigure {
 
     /// Returns `true` if a formula derives the column from others.
     pub(crate) fn is_derived(&self) -> bool {
-        let is_made = |of: &Quantity| matches!(of.source, FigureSource::Derived(_));
+        let is_made = |of: &Quantity| matches!(of.source, QuantitySource::Derived(_));
         matches!(&self.source, CycleFigureSource::Of(of, _) if is_made(of))
     }
 

@@ -1,7 +1,7 @@
 //! Computes cycle figures of a mechanism, and of others of its kind.
 
 use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
-use super::{CycleFigure, Excursion, ExcursionWish, NoFigure};
+use super::{CycleFigure, Excursion, ExcursionOptions, NoFigure};
 use crate::quantity::{Quantity, Subject, demand};
 use crate::solver::{Condition, GroupId, Range, Solver};
 
@@ -15,7 +15,7 @@ pub struct CycleFigures {
     figures: Vec<CycleFigure>,
     /// The columns to follow, each once.
     columns: Vec<Quantity>,
-    wish: ExcursionWish,
+    wish: ExcursionOptions,
     transmission: bool,
     condition: bool,
 }
@@ -36,9 +36,9 @@ impl CycleFigures {
     pub fn new(figures: Vec<CycleFigure>, tolerance: Option<f64>) -> CycleFigures {
         let mut all = CycleFigures {
             columns: Vec::new(),
-            wish: ExcursionWish {
+            wish: ExcursionOptions {
                 tolerance,
-                ..ExcursionWish::default()
+                ..ExcursionOptions::default()
             },
             transmission: false,
             condition: false,
@@ -91,7 +91,7 @@ impl CycleFigures {
         let Range::Full { .. } = solver.motion().range else {
             return None;
         };
-        let wish = ExcursionWish::default();
+        let wish = ExcursionOptions::default();
         let excursions = Excursion::of_all(solver, &self.columns, wish);
         let places = |figure: &CycleFigure| {
             let CycleFigureSource::Of(column, property) = &figure.source else {

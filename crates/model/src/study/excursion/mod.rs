@@ -107,7 +107,7 @@ pub enum NoFigure {
 
 /// The optional parts of an analysis.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ExcursionWish {
+pub struct ExcursionOptions {
     /// `true` to find the largest rate and the largest rate of the rate.
     pub rates: bool,
     /// `true` to find dwells.
@@ -168,7 +168,7 @@ impl Excursion {
     pub fn of_all(
         solver: &Solver,
         figures: &[Quantity],
-        wish: ExcursionWish,
+        wish: ExcursionOptions,
     ) -> Vec<Result<Excursion, NoFigure>> {
         let mut found = vec![Err(NoFigure::NoRate); figures.len()];
         for source in SlopeSource::ALL {
@@ -193,7 +193,7 @@ impl Excursion {
         sampler: &mut MotionSampler,
         column: usize,
         sampled: &SampledFigure,
-        wish: ExcursionWish,
+        wish: ExcursionOptions,
     ) -> Result<Excursion, NoFigure> {
         let Turnings {
             places,

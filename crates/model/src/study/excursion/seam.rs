@@ -2,7 +2,7 @@
 //! turns, and should change continuously between similar mechanisms.
 
 use super::{CycleFigure, CycleFigures, NoFigure};
-use crate::angle::{TURN, beside_within};
+use crate::angle::{TURN, unwrap_within};
 use crate::solver::{Range, Solver};
 
 /// For each cyclic figure its reference value and its period.
@@ -31,7 +31,7 @@ impl FigureSeams {
     pub(crate) fn count(&self, found: &mut [Result<f64, NoFigure>]) {
         for (value, seam) in found.iter_mut().zip(&self.0) {
             if let (Ok(value), Some((from, period))) = (value, seam) {
-                *value = beside_within(*period, *from, *value);
+                *value = unwrap_within(*period, *from, *value);
             }
         }
     }

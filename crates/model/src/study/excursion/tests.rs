@@ -1,6 +1,6 @@
 //! Tests excursions against closed formulas, which are written out here.
 
-use super::{CycleFigure, CycleFigures, Excursion, ExcursionWish, NoFigure};
+use super::{CycleFigure, CycleFigures, Excursion, ExcursionOptions, NoFigure};
 use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
@@ -32,7 +32,7 @@ pub(super) fn excursion(
     tolerance: Option<f64>,
 ) -> Excursion {
     let quantity = Catalogue::new(scene).find(name).unwrap();
-    let wish = ExcursionWish {
+    let wish = ExcursionOptions {
         rates: true,
         dwells: true,
         tolerance,

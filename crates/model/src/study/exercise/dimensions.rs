@@ -1,7 +1,7 @@
 //! Finds the dimensions of a scene and their relations.
 
 use super::agreeable::{agreeable, exactly};
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use std::collections::{HashMap, HashSet};
 
@@ -134,7 +134,7 @@ impl Dimensions {
     /// Draws random dimensions; returns the new text of each value.
     pub(super) fn changed(
         &self,
-        chance: &mut SeededChance,
+        chance: &mut SeededRng,
         spread: DrawnApart,
     ) -> Option<Vec<(Value, String)>> {
         let texts = match spread {
@@ -150,13 +150,13 @@ impl Dimensions {
         Some(values.zip(texts).map(put).collect())
     }
 
-    fn together(&self, chance: &mut SeededChance) -> Option<Vec<String>> {
+    fn together(&self, chance: &mut SeededRng) -> Option<Vec<String>> {
         let factor = *chance.one_of(&FACTORS)?;
         let list = self.list.iter();
         Some(list.map(|d| exactly(d.value.number * factor)).collect())
     }
 
-    fn apart(&self, chance: &mut SeededChance, percent: u32) -> Option<Vec<String>> {
+    fn apart(&self, chance: &mut SeededRng, percent: u32) -> Option<Vec<String>> {
         let [low, high] = WHOLE;
         let whole = f64::from(chance.between(low, high)) / 100.0;
         let mut sizes = Vec::with_capacity(self.sizes.len());
@@ -258,7 +258,7 @@ mod tests {
         let preset = presets::find(name).unwrap();
         let scene = Scene::parse(preset.text, preset.name).unwrap();
         let dimensions = Dimensions::of(&scene);
-        let mut chance = SeededChance::new(5);
+        let mut chance = SeededRng::new(5);
         let changed = dimensions.changed(&mut chance, spread).unwrap();
         changed.into_iter().map(|(v, t)| (v.name, t)).collect()
     }
@@ -307,7 +307,7 @@ mod tests {
         let scene = Scene::parse(text, "test").unwrap();
         let dimensions = Dimensions::of(&scene);
         for seed in 0..20 {
-            let mut chance = SeededChance::new(seed);
+            let mut chance = SeededRng::new(seed);
             let list = dimensions.changed(&mut chance, DrawnApart::Each(25));
             let list: Vec<(String, String)> = list
                 .unwrap()
@@ -333,7 +333,7 @@ mod tests {
         let dimensions = Dimensions::of(&scene);
         for seed in 0..10 {
             let changed = dimensions
-                .changed(&mut SeededChance::new(seed), DrawnApart::Each(25))
+                .changed(&mut SeededRng::new(seed), DrawnApart::Each(25))
                 .unwrap();
             let names: Vec<&str> = changed
                 .iter()

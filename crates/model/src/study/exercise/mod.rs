@@ -9,7 +9,7 @@ mod dimensions;
 mod likeness;
 
 use crate::Input;
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Condition, Order, Solver};
 use agreeable::agreeable;
@@ -103,7 +103,7 @@ impl<'a> ExerciseMaker<'a> {
         if !self.has_dimensions() {
             return None;
         }
-        let mut chance = SeededChance::new(seed);
+        let mut chance = SeededRng::new(seed);
         let told = self
             .scene
             .retold(&titles.name, &titles.source, &titles.note);
@@ -130,7 +130,7 @@ impl<'a> ExerciseMaker<'a> {
     }
 
     /// Draws dimensions and the driver's speed.
-    fn drawn(&self, chance: &mut SeededChance, spread: DrawnApart) -> Option<Vec<(Value, String)>> {
+    fn drawn(&self, chance: &mut SeededRng, spread: DrawnApart) -> Option<Vec<(Value, String)>> {
         let mut changes = self.dimensions.changed(chance, spread)?;
         let [low, high] = SPEEDS;
         let factor = f64::from(chance.between(low, high)) / 100.0;
@@ -155,7 +155,7 @@ impl<'a> ExerciseMaker<'a> {
         &self,
         template: &Scene,
         changes: &[(Value, String)],
-        chance: &mut SeededChance,
+        chance: &mut SeededRng,
     ) -> Option<Exercise> {
         let scene = template.again(&template.with_values(changes))?;
         let at = self.scene.mechanism.driver().start;

@@ -12,7 +12,7 @@ use crate::{Input, Link, LinkId, Mechanism, angle};
 
 /// The reason why a cycle has no results.
 #[derive(Clone, Debug, PartialEq)]
-pub enum NoDuty {
+pub enum DutyError {
     /// The scene has no loads, springs or masses.
     NothingActs,
     /// Forces of the cycle are not shown; this is the first state concerned.
@@ -54,9 +54,9 @@ impl Duty {
         mechanism: &Mechanism,
         solver: &Solver,
         between: Option<(f64, f64)>,
-    ) -> Result<Duty, NoDuty> {
+    ) -> Result<Duty, DutyError> {
         if !solver.has_forces() {
-            return Err(NoDuty::NothingActs);
+            return Err(DutyError::NothingActs);
         }
         let driver = mechanism.driver();
         let motion = solver.motion();
@@ -97,7 +97,7 @@ impl Duty {
             step.effort(runs_dead)
         });
         if let Some(hidden) = withheld {
-            return Err(NoDuty::Withheld(hidden));
+            return Err(DutyError::Withheld(hidden));
         }
         if runs_dead {
             (cycle.all, cycle.parts[2]) = (DriveEffort::default(), DriveEffort::default());

@@ -346,7 +346,7 @@ fn change_points_are_listed_and_crossed() {
     assert!(
         matches!(
             Duty::new(&bare.mechanism, &bare_solver, None),
-            Err(NoDuty::NothingActs)
+            Err(DutyError::NothingActs)
         ),
         "nothing acts"
     );

@@ -35,7 +35,7 @@ mod timed;
 
 pub use course::Course;
 pub use cycle::{Cycle, CycleShaking, DriveEffort, Fluctuation, Peak, Rule};
-pub use duty::{Duty, NoDuty, is_within};
+pub use duty::{Duty, DutyError, is_within};
 pub use flywheel::{
     Geared, MAX_FLUCTUATION, MotorDemand, MotorFit, SMALL_FLUCTUATION, fluctuation_with,
     flywheel_for,

@@ -6,7 +6,7 @@
 
 use crate::DriverMoment;
 use crate::numeric::chebyshev::{Basis, ChebyshevSum, TERMS};
-use crate::quantity::{Clock, Hidden, MotionLeaves};
+use crate::quantity::{Clock, Hidden, MotionOutOfRange};
 use crate::scene::Motor;
 use crate::solver::{Order, Solver, Workspace};
 
@@ -81,7 +81,7 @@ pub enum NoTimedDuty {
     /// Forces are not shown at this place.
     Withheld(Hidden),
     /// The motion leaves the range of a stop or of the mechanism.
-    Leaves(MotionLeaves),
+    Leaves(MotionOutOfRange),
     /// The torque does not exist: there is no assembly, or a dead point.
     NoTorque(DriverMoment),
 }
@@ -234,7 +234,9 @@ impl TimedDuty {
         if !solver.has_forces() {
             return Err(NoTimedDuty::NothingActs);
         }
-        let leaves = clock.law().and_then(|law| MotionLeaves::of(law, solver));
+        let leaves = clock
+            .law()
+            .and_then(|law| MotionOutOfRange::of(law, solver));
         if let Some(leaves) = leaves {
             return Err(NoTimedDuty::Leaves(leaves));
         }

@@ -5,7 +5,7 @@
 //! at its own places. A value need not be monotonic, for example next to a dead centre, or if its
 //! formula has a kink.
 
-use super::worst::MetRange;
+use super::worst::ObservedRange;
 
 /// Rounding error of a value, relative to its range over the box.
 const ROUNDING: f64 = 1e-9;
@@ -85,9 +85,9 @@ impl BoxGrid {
 
 /// Returns the rounding error of a value found at every place; NaN marks missing values.
 pub(super) fn rounding(nominal: f64, found: &[f64]) -> f64 {
-    let mut met = MetRange::of(nominal);
+    let mut met = ObservedRange::of(nominal);
     let values = found.iter().filter(|value| value.is_finite());
     values.for_each(|&value| met.meet(value));
-    let MetRange { low, high } = met;
+    let ObservedRange { low, high } = met;
     (ROUNDING * (high - low)).max(LAST_DIGITS * low.abs().max(high.abs()))
 }

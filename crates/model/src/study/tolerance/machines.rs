@@ -5,7 +5,7 @@ use super::box_grid::BoxGrid;
 use super::edge::along_ray;
 use super::search::Search;
 use super::tolerance_box::ToleranceBox;
-use super::worst::{MetRange, WorstCase, WorstKind};
+use super::worst::{ObservedRange, WorstCase, WorstKind};
 use crate::solver::LoopKind;
 
 /// Builds machines and evaluates values of each.
@@ -114,7 +114,7 @@ pub(super) fn of_derivatives(
     slopes: &[f64],
 ) -> Option<WorstCase> {
     let way = off.furthest(&acting_slopes(off, slopes, acting), &off.nothing());
-    let mut met = MetRange::of(nominal[figure]?);
+    let mut met = ObservedRange::of(nominal[figure]?);
     let mut fails = false;
     let mut values = nominal.to_vec();
     let mut by = off.nothing();

@@ -41,7 +41,7 @@ use tolerance_box::ToleranceBox;
 
 /// The reason why an analysis is impossible.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
-pub enum NoTolerance {
+pub enum ToleranceError {
     /// All lengths are exact.
     #[error("{}", words().no_tolerances())]
     Exact,
@@ -89,21 +89,21 @@ impl ToleranceStudy {
     /// Creates an analysis of values of a scene.
     ///
     /// # Errors
-    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`ToleranceError`].
     pub fn new(
         scene: &Scene,
         solver: &Solver,
         tolerances: &Tolerances,
         figures: &[Quantity],
-    ) -> Result<ToleranceStudy, NoTolerance> {
-        let off = ToleranceBox::new(tolerances).ok_or(NoTolerance::Exact)?;
+    ) -> Result<ToleranceStudy, ToleranceError> {
+        let off = ToleranceBox::new(tolerances).ok_or(ToleranceError::Exact)?;
         let (demand, order) = demand(figures);
         if demand.forces {
-            return Err(NoTolerance::Forces);
+            return Err(ToleranceError::Forces);
         }
         let varied = solver
             .varied(&off.given, &demand)
-            .ok_or(NoTolerance::Redundant)?;
+            .ok_or(ToleranceError::Redundant)?;
         Ok(ToleranceStudy {
             machines: MachinesAtPlace::new(figures.to_vec(), order, varied),
             slopes: Sensitivity::by(scene, solver, figures, off.given.clone()),

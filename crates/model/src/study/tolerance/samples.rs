@@ -2,7 +2,7 @@
 
 use super::machines::Machines;
 use super::tolerance_box::ToleranceBox;
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::solver::LoopKind;
 
 /// The distribution of lengths within their tolerances.
@@ -70,7 +70,7 @@ impl Samples {
         kind: Option<LoopKind>,
         order: SampleOrder,
     ) -> Samples {
-        let mut chance = SeededChance::new(order.seed);
+        let mut chance = SeededRng::new(order.seed);
         let mut by = off.nothing();
         let mut values = vec![None; figures];
         let mut read: Vec<Vec<f64>> = vec![Vec::new(); figures];

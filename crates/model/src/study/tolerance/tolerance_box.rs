@@ -2,7 +2,7 @@
 
 use super::contributions::ToleranceOf;
 use super::samples::Distribution;
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::{CoordinateAxis, Length, Tolerances};
 
 /// Number of multipliers to try, and their maximum, relative to the slopes' total.
@@ -127,15 +127,10 @@ impl ToleranceBox {
     }
 
     /// Draws random deviations.
-    pub(super) fn draw(
-        &self,
-        distribution: Distribution,
-        chance: &mut SeededChance,
-        by: &mut [f64],
-    ) {
+    pub(super) fn draw(&self, distribution: Distribution, chance: &mut SeededRng, by: &mut [f64]) {
         let (lengths, pins) = by.split_at_mut(self.lengths);
         let (limits, of_pins) = self.limits.split_at(self.lengths);
-        let two = |chance: &mut SeededChance| match distribution {
+        let two = |chance: &mut SeededRng| match distribution {
             Distribution::Normal => chance.normal().map(|v| v / 3.0),
             Distribution::Even => [chance.even(), chance.even()],
         };

@@ -6,7 +6,7 @@
 use super::machines::{CornerEffort, Machines, of_all_corners, of_derivatives, told};
 use super::tolerance_box::ToleranceBox;
 use super::worst::WorstCase;
-use super::{NoTolerance, SampleOrder, Samples, ToleranceFigure};
+use super::{SampleOrder, Samples, ToleranceError, ToleranceFigure};
 use crate::quantity::demand;
 use crate::solver::{Demand, LoopKind, Solver, Varied};
 use crate::study::excursion::FigureSeams;
@@ -47,15 +47,15 @@ impl WholeTolerance {
     /// Creates an analysis of figures of a solver's mechanism.
     ///
     /// # Errors
-    /// Returns an error if an analysis is impossible, see [`NoTolerance`].
+    /// Returns an error if an analysis is impossible, see [`ToleranceError`].
     pub fn new(
         solver: &Solver,
         tolerances: &Tolerances,
         figures: Vec<CycleFigure>,
-    ) -> Result<WholeTolerance, NoTolerance> {
-        let off = ToleranceBox::new(tolerances).ok_or(NoTolerance::Exact)?;
+    ) -> Result<WholeTolerance, ToleranceError> {
+        let off = ToleranceBox::new(tolerances).ok_or(ToleranceError::Exact)?;
         if figures.iter().any(CycleFigure::is_of_forces) {
-            return Err(NoTolerance::Forces);
+            return Err(ToleranceError::Forces);
         }
         let varied = solver.varied(&off.given, &needed(solver.mechanism(), &figures));
         let figures = CycleFigures::new(figures, None);
@@ -63,7 +63,7 @@ impl WholeTolerance {
             seams: FigureSeams::of(&figures, solver),
             figures,
             solver: solver.clone(),
-            varied: varied.ok_or(NoTolerance::Redundant)?,
+            varied: varied.ok_or(ToleranceError::Redundant)?,
             given: off.given.clone(),
         };
         Ok(WholeTolerance { machines, off })

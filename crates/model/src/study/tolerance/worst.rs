@@ -101,14 +101,14 @@ impl WorstCase {
 
 /// The range of the values found.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct MetRange {
+pub(super) struct ObservedRange {
     pub(super) low: f64,
     pub(super) high: f64,
 }
 
-impl MetRange {
-    pub(super) fn of(value: f64) -> MetRange {
-        MetRange {
+impl ObservedRange {
+    pub(super) fn of(value: f64) -> ObservedRange {
+        ObservedRange {
             low: value,
             high: value,
         }

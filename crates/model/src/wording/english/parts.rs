@@ -20,7 +20,7 @@ catalogue! {
         the_scene_itself = "the scene";
         body_called(name: &str) = "{name}";
         condition_called(word: &str) = "{word}";
-        told_of_scene(text: &str) = "{text}";
+        translated_scene_text(text: &str) = "{text}";
         add_for_example(text: &str) = "add, for example:\n{text}";
 
         // The scene.

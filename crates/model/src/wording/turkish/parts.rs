@@ -34,7 +34,7 @@ catalogue! {
                 word => word.to_owned(),
             }
         };
-        told_of_scene(text: &str) = { presets::said(text).to_owned() };
+        translated_scene_text(text: &str) = { presets::said(text).to_owned() };
         add_for_example(text: &str) = "örneğin şunu ekleyin:\n{text}";
 
         // The scene.

@@ -5,7 +5,7 @@ mod search;
 
 use super::{FunctionRun, FunctionSearch};
 use crate::{FunctionTask, Given, Output, Partner, Proposal, Proposals};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 fn propose(task: &FunctionTask) -> Proposals {
     FunctionSearch { task, threads: 2 }.run(&mut |_| true)
@@ -29,7 +29,7 @@ const LAW: PlantedLaw = PlantedLaw([20.0, 40.0, -35.0, 25.0]);
 impl PlantedFunction {
     /// Draws a random linkage that closes at `count` angles over a swing. The circles' own formula
     /// gives its outputs; the tested code does not use it.
-    fn draw(chance: &mut SeededChance, output: Output, count: usize) -> PlantedFunction {
+    fn draw(chance: &mut SeededRng, output: Output, count: usize) -> PlantedFunction {
         loop {
             let mut length = |low: f64, high: f64| low + (high - low) * 0.5 * (1.0 + chance.even());
             let (a, b) = (length(0.3, 1.6), length(0.5, 2.0));
@@ -125,7 +125,7 @@ fn output_of(output: Output, [a, b, c]: [f64; 3], angle: f64, side: f64) -> Opti
 /// Draws `rounds` linkages. Returns how many are recovered to 1e-9, and whether every result is
 /// complete.
 fn recovered(output: Output, count: usize, free: [bool; 4], rounds: usize) -> (usize, bool) {
-    let mut chance = SeededChance::new(200 + count as u64);
+    let mut chance = SeededRng::new(200 + count as u64);
     let (mut found, mut is_complete) = (0, true);
     for _ in 0..rounds {
         let planted = PlantedFunction::draw(&mut chance, output, count);
@@ -189,7 +189,7 @@ fn more_pairs_and_free_scales_find_planted_linkage() {
 /// known one.
 #[test]
 fn noise_is_fitted_as_well_as_by_planted_linkage() {
-    let mut chance = SeededChance::new(77);
+    let mut chance = SeededRng::new(77);
     for output in [Output::Angle, Output::Slide] {
         for _ in 0..20 {
             let planted = PlantedFunction::draw(&mut chance, output, 9);
@@ -313,7 +313,7 @@ fn degenerate_pairs_give_finite_linkages() {
 #[test]
 fn unsound_task_finds_nothing() {
     let mut task =
-        PlantedFunction::draw(&mut SeededChance::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
+        PlantedFunction::draw(&mut SeededRng::new(1), Output::Angle, 3).task(PLAIN, [false; 4]);
     assert!(propose(&task).is_complete);
     task.size = 0.0;
     assert_eq!(propose(&task), Proposals::default());
@@ -328,7 +328,7 @@ fn unsound_task_finds_nothing() {
 /// Fewer pairs than unknowns: several linkages, all through the pairs, with constant lengths.
 #[test]
 fn underdetermined_task_proposes_sample_of_family() {
-    let mut chance = SeededChance::new(9);
+    let mut chance = SeededRng::new(9);
     for output in [Output::Angle, Output::Slide] {
         let planted = PlantedFunction::draw(&mut chance, output, 3);
         let free = [true, false, true, false];
@@ -354,7 +354,7 @@ fn underdetermined_task_proposes_sample_of_family() {
 /// A run uses the fitted datums and scales, and follows a known function between its pairs, too.
 #[test]
 fn run_follows_planted_function_between_pairs() {
-    let mut chance = SeededChance::new(21);
+    let mut chance = SeededRng::new(21);
     let mut followed = 0;
     for round in 0..60 {
         let output = [Output::Angle, Output::Slide][round % 2];

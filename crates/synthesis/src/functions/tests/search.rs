@@ -4,7 +4,7 @@ use super::super::FunctionSearch;
 use super::{LAW, PlantedFunction, PlantedLaw, law_of, propose};
 use crate::functions::FunctionRun;
 use crate::{FunctionTask, Given, Output, Proposal};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 /// Returns the sum of squared errors of a proposal at the pairs, or infinity if the linkage is at a
 /// dead point at one.
@@ -19,7 +19,7 @@ fn squares(task: &FunctionTask, proposal: &Proposal) -> f64 {
 /// algebra led away from the minimum.
 #[test]
 fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
-    let mut chance = SeededChance::new(501);
+    let mut chance = SeededRng::new(501);
     let free = [true, false, true, false];
     let mut fitted = 0;
     for _ in 0..20 {
@@ -46,7 +46,7 @@ fn noisy_pairs_are_fitted_as_well_as_by_planted_linkage() {
 /// lengths, is among the results; none occurs twice, and none is too slender.
 #[test]
 fn free_scales_find_distinct_linkages_of_usual_lengths() {
-    let mut chance = SeededChance::new(77);
+    let mut chance = SeededRng::new(77);
     let free = [false, true, false, true];
     let (mut recovered, rounds) = (0, 12);
     for _ in 0..rounds {
@@ -70,7 +70,7 @@ fn free_scales_find_distinct_linkages_of_usual_lengths() {
 /// ends at 1. A stopped search returns the linkages found so far.
 #[test]
 fn search_reports_progress_and_can_be_stopped() {
-    let planted = PlantedFunction::draw(&mut SeededChance::new(3), Output::Angle, 100);
+    let planted = PlantedFunction::draw(&mut SeededRng::new(3), Output::Angle, 100);
     let free = [true, false, true, false];
     let task = planted.task(LAW, free);
     let run = |threads, most: f64| {
@@ -97,7 +97,7 @@ fn search_reports_progress_and_can_be_stopped() {
 /// A slider-crank begins at its given start angle, not opposite to it.
 #[test]
 fn slider_crank_keeps_given_start() {
-    let mut chance = SeededChance::new(12);
+    let mut chance = SeededRng::new(12);
     for free in [
         [false, false, true, true],
         [false, false, true, false],

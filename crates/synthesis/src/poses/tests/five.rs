@@ -3,15 +3,15 @@
 
 use super::newton;
 use super::planted::{Planted, PlantedForm, turned, worst_miss};
-use crate::poses::dyad::PinHeld;
+use crate::poses::dyad::FullDyad;
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, five, propose};
 use crate::{Partner, Pose, PoseTask, Proposals};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// Returns all dyads; `None` if there may be others.
-fn dyads(task: &PoseTask) -> Option<Vec<PinHeld>> {
+fn dyads(task: &PoseTask) -> Option<Vec<FullDyad>> {
     let all = five::dyads(&Guidance::new(task).unwrap())?;
     all.are_all.then_some(all.found)
 }
@@ -24,7 +24,7 @@ fn both(task: &PoseTask) -> Proposals {
 /// quartic.
 #[test]
 fn both_planted_dyads_are_among_at_most_four() {
-    let mut chance = SeededChance::new(1);
+    let mut chance = SeededRng::new(1);
     for n in 0..400 {
         let planted = if n % 2 == 0 {
             Planted::four_bar(&mut chance, 5, 15.0)
@@ -42,7 +42,7 @@ fn both_planted_dyads_are_among_at_most_four() {
 
 #[test]
 fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
-    let mut chance = SeededChance::new(2);
+    let mut chance = SeededRng::new(2);
     let mut most = 0;
     for n in 0..200 {
         let planted = if n % 2 == 0 {
@@ -80,7 +80,7 @@ fn all_dyad_pairs_are_proposed_and_pass_through_poses() {
 
 /// Checks that every dyad found by Newton's method from `starts` starts is among those of the
 /// resultant, and returns their number.
-fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> usize {
+fn met_by_newton(task: &PoseTask, chance: &mut SeededRng, starts: usize) -> usize {
     let found = dyads(task).unwrap();
     let mut seen: Vec<[Vec2; 2]> = Vec::new();
     for _ in 0..starts {
@@ -111,8 +111,8 @@ fn met_by_newton(task: &PoseTask, chance: &mut SeededChance, starts: usize) -> u
 
 #[test]
 fn all_dyads_found_by_newton_are_present() {
-    let mut chance = SeededChance::new(3);
-    let planted = |chance: &mut SeededChance| Planted::four_bar(chance, 5, 15.0).task;
+    let mut chance = SeededRng::new(3);
+    let planted = |chance: &mut SeededRng| Planted::four_bar(chance, 5, 15.0).task;
     let tasks: Vec<PoseTask> = (0..30).map(|_| planted(&mut chance)).collect();
     let met: usize = tasks
         .iter()
@@ -179,7 +179,7 @@ fn special_poses_have_all_dyads_found_by_newton() {
             (3.0, 2.0, 75.0),
         ]),
     ];
-    let mut chance = SeededChance::new(8);
+    let mut chance = SeededRng::new(8);
     let met: Vec<usize> = tasks
         .iter()
         .map(|task| met_by_newton(task, &mut chance, 400))
@@ -212,7 +212,7 @@ fn on_a_circle(places: &[(f64, f64)]) -> PoseTask {
 /// poses: up to 1e-8 if two poses are a hundredth of a degree apart.)
 #[test]
 fn nearly_degenerate_poses_lose_no_digits() {
-    let mut chance = SeededChance::new(4);
+    let mut chance = SeededRng::new(4);
     let steps: [([f64; 5], f64); 8] = [
         ([0.0, 1e-2, 40.0, 80.0, 120.0], 1.0),
         ([0.0, 1e-4, 40.0, 80.0, 120.0], 1.0),
@@ -270,7 +270,7 @@ fn nearly_degenerate_poses_lose_no_digits() {
 /// below a thousand for nearly all linkages with well-separated poses.
 #[test]
 fn small_noise_moves_dyads_slightly() {
-    let mut chance = SeededChance::new(6);
+    let mut chance = SeededRng::new(6);
     let mut offs: Vec<f64> = Vec::new();
     for _ in 0..200 {
         let mut planted = Planted::four_bar(&mut chance, 5, 30.0);
@@ -292,7 +292,7 @@ fn small_noise_moves_dyads_slightly() {
 /// Scaling the poses changes only their rounding.
 #[test]
 fn scaling_poses_scales_dyads() {
-    let mut chance = SeededChance::new(7);
+    let mut chance = SeededRng::new(7);
     for scale in [1e-6, 1.0, 1e7] {
         for _ in 0..40 {
             let mut planted = Planted::four_bar(&mut chance, 5, 20.0);
@@ -435,7 +435,7 @@ fn elliptic_trammel_has_family_of_slides() {
 /// that fits no dyad gives an empty result.
 #[test]
 fn given_pivots_and_pins_are_kept() {
-    let mut chance = SeededChance::new(9);
+    let mut chance = SeededRng::new(9);
     for _ in 0..40 {
         let planted = Planted::four_bar(&mut chance, 5, 20.0);
         let [(Partner::Rocker(a), b), (Partner::Rocker(d), c)] = planted.dyads else {

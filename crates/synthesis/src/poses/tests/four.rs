@@ -1,14 +1,14 @@
 //! Compares the curve of four poses with slices of it and with known dyads.
 
 use super::planted::{Planted, PlantedForm, worst_miss};
-use crate::poses::dyad::PinHeld;
+use crate::poses::dyad::FullDyad;
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, four, propose};
 use crate::{Partner, Pose, PoseTask, Proposal};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
-fn pieces(task: &PoseTask) -> Vec<Vec<PinHeld>> {
+fn pieces(task: &PoseTask) -> Vec<Vec<FullDyad>> {
     four::pieces(&Guidance::new(task).unwrap())
 }
 
@@ -26,8 +26,8 @@ fn cubic(task: &PoseTask, pin: Vec2) -> f64 {
     nalgebra::Matrix4::from_fn(|i, k| rows[i][k]).determinant()
 }
 
-fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
-    let to_segment = |pair: &[PinHeld]| {
+fn distance(pieces: &[Vec<FullDyad>], pin: Vec2) -> f64 {
+    let to_segment = |pair: &[FullDyad]| {
         let along = pair[1].pin - pair[0].pin;
         let part = ((pin - pair[0].pin).dot(along) / along.norm2()).clamp(0.0, 1.0);
         (pair[0].pin + along * part - pin).norm()
@@ -40,7 +40,7 @@ fn distance(pieces: &[Vec<PinHeld>], pin: Vec2) -> f64 {
 
 /// Checks, along lines over the whole body, that every root of the determinant is on a traced
 /// piece. Returns the number of roots.
-fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
+fn sliced(task: &PoseTask, pieces: &[Vec<FullDyad>]) -> usize {
     let mut roots = 0;
     for line in -12..=12 {
         for is_level in [true, false] {
@@ -70,7 +70,7 @@ fn sliced(task: &PoseTask, pieces: &[Vec<PinHeld>]) -> usize {
 
 #[test]
 fn curve_includes_all_branches_and_ovals() {
-    let mut chance = SeededChance::new(11);
+    let mut chance = SeededRng::new(11);
     let (mut roots, mut ovals) = (0, 0);
     for _ in 0..24 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
@@ -87,7 +87,7 @@ fn curve_includes_all_branches_and_ovals() {
 /// Spots are as close to each other as they are drawn, and all of them pass through the poses.
 #[test]
 fn curve_is_traced_in_small_steps() {
-    let mut chance = SeededChance::new(12);
+    let mut chance = SeededRng::new(12);
     for n in 0..40 {
         let planted = if n % 2 == 0 {
             Planted::four_bar(&mut chance, 4, 15.0)
@@ -128,7 +128,7 @@ fn curve_is_traced_in_small_steps() {
 /// Known dyads are on the curve. A given pivot or pin of one of them yields the known dyad.
 #[test]
 fn planted_dyads_are_on_curve() {
-    let mut chance = SeededChance::new(13);
+    let mut chance = SeededRng::new(13);
     for n in 0..40 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let pieces = pieces(&planted.task);
@@ -151,11 +151,11 @@ fn planted_dyads_are_on_curve() {
 /// through infinity.
 #[test]
 fn slide_of_four_poses_is_planted_slide() {
-    let mut chance = SeededChance::new(14);
+    let mut chance = SeededRng::new(14);
     for n in 0..40 {
         let planted = Planted::slider_crank(&mut chance, 4, 20.0);
         let slides = pieces(&planted.task).into_iter().flatten();
-        let slides: Vec<PinHeld> = slides
+        let slides: Vec<FullDyad> = slides
             .filter(|h| matches!(h.by, Partner::Slide(_)))
             .collect();
         let off = planted.off(1, &slides);
@@ -165,7 +165,7 @@ fn slide_of_four_poses_is_planted_slide() {
 
 #[test]
 fn linkages_of_four_poses_pass_through_them() {
-    let mut chance = SeededChance::new(15);
+    let mut chance = SeededRng::new(15);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let all = propose(&planted.task, true, true, None, PoseReach::Usual);
@@ -191,7 +191,7 @@ fn linkages_of_four_poses_pass_through_them() {
 /// none.
 #[test]
 fn four_poses_keep_given_pivots_and_pins() {
-    let mut chance = SeededChance::new(16);
+    let mut chance = SeededRng::new(16);
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 4, 20.0);
         let [(Partner::Rocker(a), _), (Partner::Rocker(d), c)] = planted.dyads else {
@@ -226,7 +226,7 @@ fn four_poses_keep_given_pivots_and_pins() {
 /// Poses that nearly repeat, and pairs of nearly equal angles: the known dyads are on the curve.
 #[test]
 fn curve_of_special_poses_contains_known_dyads() {
-    let mut chance = SeededChance::new(17);
+    let mut chance = SeededRng::new(17);
     for n in 0..30 {
         let shape = PlantedForm::four_bar(&mut chance);
         let from = chance.within(0.0, 360.0);
@@ -321,7 +321,7 @@ fn curve_of_mirrored_poses_is_line_and_circle() {
 fn planted_slider_cranks_are_recovered() {
     // The closer the poses, the larger the effect of their rounding on the linkages.
     for (apart, within) in [(20.0, 1e-9), (10.0, 1e-9), (5.0, 1e-8)] {
-        let mut chance = SeededChance::new(70);
+        let mut chance = SeededRng::new(70);
         let (mut checked, mut proposed) = (0, 0);
         while checked < 60 {
             let shape = PlantedForm::slider_crank(&mut chance);
@@ -333,7 +333,7 @@ fn planted_slider_cranks_are_recovered() {
             checked += 1;
             let planted = shape.planted(poses);
             let guidance = Guidance::new(&planted.task).unwrap();
-            let slide: Vec<PinHeld> = four::slide(&guidance).into_iter().collect();
+            let slide: Vec<FullDyad> = four::slide(&guidance).into_iter().collect();
             let off = planted.off(1, &slide);
             assert!(off < within, "{apart} {checked}: {off:e}");
             let (Partner::Rocker(pivot), _) = planted.dyads[0] else {

@@ -5,7 +5,7 @@ use super::planted::{Planted, PlantedForm, turned, worst_miss};
 use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, five, propose};
 use crate::{Partner, Pose, PoseTask};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// A scale of linkages at which a crank of 0.4 to 2 is 40 mm to 200 mm.
@@ -14,7 +14,7 @@ const MILLIMETRES: f64 = 100.0;
 /// Draws a four-bar of some hundred millimetres whose crank turns by `span` degrees from the first
 /// of five poses to the last, with the dyads of the rounded poses. Returns `None` if Newton's
 /// method, limited to the digits of a double, does not converge to them.
-fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
+fn nearly_repeated(chance: &mut SeededRng, span: f64) -> Option<Planted> {
     let mut shape = PlantedForm::four_bar(chance);
     let from = chance.within(0.0, 360.0);
     let Partner::Rocker(pivot) = shape.partner else {
@@ -46,7 +46,7 @@ fn nearly_repeated(chance: &mut SeededChance, span: f64) -> Option<Planted> {
 #[test]
 fn nearly_repeated_poses_have_planted_dyads() {
     for (span, least, most_open) in [(10.0, 25, 0), (1.0, 25, 1), (0.3, 25, 9), (0.1, 18, 19)] {
-        let mut chance = SeededChance::new(40);
+        let mut chance = SeededRng::new(40);
         let (mut checked, mut open) = (0, 0);
         for n in 0..60 {
             let Some(planted) = nearly_repeated(&mut chance, span) else {
@@ -77,7 +77,7 @@ fn nearly_repeated_poses_have_planted_dyads() {
 /// remnants of these after rounding are not reported as complete.
 #[test]
 fn family_of_dyads_is_never_reported_complete() {
-    let mut chance = SeededChance::new(50);
+    let mut chance = SeededRng::new(50);
     for span in [360.0, 40.0, 10.0, 1.0, 0.1] {
         for n in 0..12 {
             let frame = turned(chance.within(0.0, 10.0), chance.within(0.0, 360.0));

@@ -4,7 +4,7 @@ use super::planted::{Planted, turned};
 use crate::poses::{PoseReach, propose};
 use crate::{OpenReason, Pose, PoseTask, Proposals};
 use kinematics::Vec2;
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 fn proposed(poses: Vec<Pose>) -> Proposals {
     let task = PoseTask {
@@ -40,7 +40,7 @@ fn rotation_about_point_reports_the_point() {
 
 #[test]
 fn out_of_range_coordinates_are_reported() {
-    let mut chance = SeededChance::new(60);
+    let mut chance = SeededRng::new(60);
     for count in [3, 4, 5] {
         for power in [-200, -100, -60, 0, 60, 100, 200, 300] {
             let mut planted = Planted::four_bar(&mut chance, count, 20.0);
@@ -67,7 +67,7 @@ fn empty_result_has_reason() {
         let all = proposed(shifts.map(shift)[..count].to_vec());
         assert_eq!(all.reason, Some(OpenReason::Shift), "{count}");
     }
-    let mut chance = SeededChance::new(61);
+    let mut chance = SeededRng::new(61);
     let planted = Planted::four_bar(&mut chance, 5, 20.0);
     let given = PoseTask {
         pivots: vec![Vec2::new(0.123, 0.456)],

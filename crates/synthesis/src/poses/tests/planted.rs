@@ -1,8 +1,8 @@
 //! Random linkages and the poses of their couplers.
 
-use crate::poses::dyad::PinHeld;
+use crate::poses::dyad::FullDyad;
 use crate::{Partner, Pose, PoseTask, Proposal};
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 use kinematics::{Vec2, angle};
 
 /// A linkage given by its dyads: two pins in the body's frame, each with the element that holds it.
@@ -27,7 +27,7 @@ pub(super) struct PlantedForm {
 }
 
 impl PlantedForm {
-    pub(super) fn four_bar(chance: &mut SeededChance) -> PlantedForm {
+    pub(super) fn four_bar(chance: &mut SeededRng) -> PlantedForm {
         let base = turned(chance.within(0.5, 3.0), chance.within(0.0, 360.0));
         let shape = PlantedForm::slider_crank(chance);
         PlantedForm {
@@ -37,7 +37,7 @@ impl PlantedForm {
         }
     }
 
-    pub(super) fn slider_crank(chance: &mut SeededChance) -> PlantedForm {
+    pub(super) fn slider_crank(chance: &mut SeededRng) -> PlantedForm {
         let mut place =
             |size: f64| Vec2::new(chance.within(-size, size), chance.within(-size, size));
         let (pivot, origin) = (place(5.0), place(2.0));
@@ -102,7 +102,7 @@ impl PlantedForm {
     /// does not reach so many.
     pub(super) fn at_some(
         &self,
-        chance: &mut SeededChance,
+        chance: &mut SeededRng,
         count: usize,
         apart: f64,
     ) -> Option<Planted> {
@@ -123,7 +123,7 @@ impl PlantedForm {
 }
 
 impl Planted {
-    pub(super) fn four_bar(chance: &mut SeededChance, count: usize, apart: f64) -> Planted {
+    pub(super) fn four_bar(chance: &mut SeededRng, count: usize, apart: f64) -> Planted {
         loop {
             let shape = PlantedForm::four_bar(chance);
             if let Some(planted) = shape.at_some(chance, count, apart) {
@@ -132,7 +132,7 @@ impl Planted {
         }
     }
 
-    pub(super) fn slider_crank(chance: &mut SeededChance, count: usize, apart: f64) -> Planted {
+    pub(super) fn slider_crank(chance: &mut SeededRng, count: usize, apart: f64) -> Planted {
         loop {
             let shape = PlantedForm::slider_crank(chance);
             if let Some(planted) = shape.at_some(chance, count, apart) {
@@ -142,7 +142,7 @@ impl Planted {
     }
 
     /// Returns the difference between a known dyad and the nearest found one.
-    pub(super) fn off(&self, which: usize, found: &[PinHeld]) -> f64 {
+    pub(super) fn off(&self, which: usize, found: &[FullDyad]) -> f64 {
         let (by, pin) = self.dyads[which];
         found
             .iter()
@@ -177,7 +177,7 @@ impl Planted {
     }
 }
 
-fn apart(held: &PinHeld, by: Partner, pin: Vec2) -> f64 {
+fn apart(held: &FullDyad, by: Partner, pin: Vec2) -> f64 {
     let off = match (held.by, by) {
         (Partner::Rocker(p), Partner::Rocker(q)) => (p - q).norm(),
         (Partner::Slide(p), Partner::Slide(q)) => angle::unit(p).cross(angle::unit(q)).abs(),

@@ -5,11 +5,11 @@ use crate::poses::guidance::Guidance;
 use crate::poses::{PoseReach, propose, three};
 use crate::{Partner, Pose, PoseTask};
 use kinematics::Vec2;
-use kinematics::numeric::SeededChance;
+use kinematics::numeric::SeededRng;
 
 #[test]
 fn given_pivots_or_pins_give_planted_linkage() {
-    let mut chance = SeededChance::new(21);
+    let mut chance = SeededRng::new(21);
     for n in 0..200 {
         let planted = Planted::four_bar(&mut chance, 3, 15.0);
         let [(Partner::Rocker(a), b), (Partner::Rocker(d), c)] = planted.dyads else {
@@ -35,7 +35,7 @@ fn given_pivots_or_pins_give_planted_linkage() {
 /// A given pin with collinear positions is on a slide; a neighbouring pin is on a long link.
 #[test]
 fn pin_with_collinear_places_is_on_slide() {
-    let mut chance = SeededChance::new(22);
+    let mut chance = SeededRng::new(22);
     for n in 0..200 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
         let [(_, b), (_, c)] = planted.dyads;
@@ -61,7 +61,7 @@ fn pin_with_collinear_places_is_on_slide() {
 /// Pins on slides are on a circle.
 #[test]
 fn sliding_pins_are_on_circle() {
-    let mut chance = SeededChance::new(23);
+    let mut chance = SeededRng::new(23);
     for n in 0..50 {
         let planted = Planted::slider_crank(&mut chance, 3, 20.0);
         let guidance = Guidance::new(&planted.task).unwrap();
@@ -90,7 +90,7 @@ fn sliding_pins_are_on_circle() {
 
 #[test]
 fn free_linkages_are_many_and_exact() {
-    let mut chance = SeededChance::new(24);
+    let mut chance = SeededRng::new(24);
     let mut slider_cranks = 0;
     for n in 0..30 {
         let planted = Planted::four_bar(&mut chance, 3, 20.0);
@@ -161,7 +161,7 @@ fn three_collinear_translations_have_no_linkage() {
 /// Repeated runs of a task give equal proposals.
 #[test]
 fn proposals_are_reproducible() {
-    let planted = Planted::four_bar(&mut SeededChance::new(25), 3, 20.0);
+    let planted = Planted::four_bar(&mut SeededRng::new(25), 3, 20.0);
     let run = || propose(&planted.task, true, true, None, PoseReach::Usual);
     assert_eq!(run(), run());
 }

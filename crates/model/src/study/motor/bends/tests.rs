@@ -1,7 +1,7 @@
 //! Tests the energy balance of springs: the driver's work equals that of the springs' closed
 //! formulas, for any bodies.
 
-use crate::numeric::SeededChance;
+use crate::numeric::SeededRng;
 use crate::scene::{Scene, presets};
 use crate::solver::{Condition, Order, Range, Solver};
 use crate::study::motor::Duty;
@@ -83,7 +83,7 @@ fn area(knots: &[[f64; 2]], to: f64) -> f64 {
 }
 
 /// Returns springs of every kind on the last links and points of a scene, in random order.
-fn sprung(scene: &Scene, chance: &mut SeededChance) -> String {
+fn sprung(scene: &Scene, chance: &mut SeededRng) -> String {
     let mechanism = &scene.mechanism;
     let points: Vec<_> = mechanism.point_ids().collect();
     let named = |id| scene.point_name(id);
@@ -152,7 +152,7 @@ fn sprung(scene: &Scene, chance: &mut SeededChance) -> String {
 
 #[test]
 fn driver_work_equals_spring_energy() {
-    let mut chance = SeededChance::new(16);
+    let mut chance = SeededRng::new(16);
     let mut tried = 0;
     for preset in presets::all() {
         let (bare, _) = of(preset.text);
