@@ -101,7 +101,7 @@ mod tests;
 pub mod tui;
 
 pub use kinematics::{guide, solver};
-use kinematics::{mechanism, numeric, parallel};
+use kinematics::{numeric, parallel};
 #[doc(inline)]
 pub use model::{assembly, quantity, study};
 use model::{document, expression, nearest, wording};

@@ -6,7 +6,7 @@
 
 use super::App;
 use super::pointing::DragTarget;
-use crate::mechanism::CoordinateAxis;
+use crate::CoordinateAxis;
 use crate::scene::{Measure, Scene, Value};
 use crate::solver::State;
 use crate::tui::document::history::Deed;

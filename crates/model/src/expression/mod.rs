@@ -4,9 +4,9 @@
 //! Formulas of plain numbers are evaluated once, with so many digits that none are lost (`Wide`).
 //!
 //! A text is parsed into a tree with the position of each part. The tree is checked and compiled to
-//! [`Code`], which runs over any [`Number`](crate::Number): doubles give values, balls their
+//! `Code`, which runs over any [`Number`](crate::Number): doubles give values, balls their
 //! bounds, duals their derivatives by a length. Rates are exact, by Taylor coefficients (`jet`).
-//! The module does not know the meaning of names: the caller supplies it as a [`Part`], and its
+//! The module does not know the meaning of names: the caller supplies it as a `Part`, and its
 //! unit as a [`Dimension`].
 
 mod code;
