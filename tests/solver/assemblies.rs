@@ -238,6 +238,7 @@ fn assembly_list_has_at_most_64_entries() {
     let solver = Solver::new(&scene.mechanism).unwrap();
     let all = solver.assemblies(scene.mechanism.driver().start);
     assert!(all.list.len() <= 64);
+    assert_eq!(all.is_complete, all.list.len() < 64);
     let jansen = preset("jansen-leg");
     let solver = Solver::new(&jansen.mechanism).unwrap();
     let all = solver.assemblies(jansen.mechanism.driver().start);

@@ -199,9 +199,19 @@ fn unmet_wanted_properties_are_reported() {
     };
     let candidate = Candidate::judge(&task, &proposal);
     assert!(candidate.does_it());
-    assert!(candidate.missed.contains(&UnmetPreference::Transmission));
-    assert!(candidate.missed.contains(&UnmetPreference::Inside));
-    assert!(candidate.missed.contains(&UnmetPreference::Ratio));
+    // The crank turns fully, counter-clockwise.
+    let unmet = [
+        UnmetPreference::Transmission,
+        UnmetPreference::Inside,
+        UnmetPreference::Ratio,
+        UnmetPreference::Sense,
+    ];
+    assert_eq!(candidate.missed, unmet);
+    let swinging = SWINGING.poses(&[(70.0, true), (80.0, true), (90.0, true)]);
+    let (mut task, proposal) = swinging.unwrap();
+    task.wishes.full_turn = true;
+    let candidate = Candidate::judge(&task, &proposal);
+    assert!(candidate.missed.contains(&UnmetPreference::FullTurn));
 }
 
 #[test]
