@@ -1,4 +1,4 @@
-//! The scenes that are built in: what their files say of them, and how that reads in Turkish. A scene is
+//! The Turkish texts of built-in scenes, and the titles of built-in tasks. A scene is
 //! somebody's own as soon as its name, its source or its note is another.
 
 /// What stands in a built-in scene, in Turkish; every other text as it is.
@@ -8,7 +8,7 @@ pub(super) fn said(text: &str) -> &str {
 }
 
 #[rustfmt::skip]
-const TEXTS: [(&str, &str); 105] = [
+const TEXTS: [(&str, &str); 109] = [
     (
         "Four-bar crank-rocker",
         "Dört çubuk, krank-sarkaç",
@@ -428,5 +428,21 @@ const TEXTS: [(&str, &str); 105] = [
     (
         "The cylinder works between the two arms, so nothing can be found by itself: arms, barrel and foot are solved together. The flatter the table lies, the harder the cylinder must push.",
         "Silindir iki kolun arasında çalışır, hiçbir şey tek başına bulunamaz: kollar, silindir gövdesi ve ayak birlikte çözülür. Masa ne kadar alçaksa silindir o kadar çok iter.",
+    ),
+    (
+        "Hatch",
+        "Kapak",
+    ),
+    (
+        "Logarithm",
+        "Logaritma",
+    ),
+    (
+        "Straight-line guide",
+        "Doğru çizen mekanizma",
+    ),
+    (
+        "Stirrer",
+        "Karıştırıcı",
     ),
 ];
