@@ -1,5 +1,6 @@
 //! `krank draw --format png|gif`: decoded, and looked at where the crank must be.
 
+use super::readme::MOVING;
 use super::{command, folder};
 use resvg::tiny_skia::Pixmap;
 use std::fs::File;
@@ -93,6 +94,20 @@ fn pixels_of_a_gif_go_round_for_ever_and_take_the_time_that_was_asked_for() {
     }
     assert_eq!((frames, hundredths, changed), (30, 200, 29));
     assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+}
+
+/// The moving picture of the README is what its command writes today.
+#[test]
+fn pixels_of_the_readme_are_what_is_drawn() {
+    let arguments = MOVING.split(' ').skip(1);
+    let arguments: Vec<&str> = arguments.take_while(|word| *word != "-o").collect();
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (name, ground) in [("four-bar", None), ("four-bar-dark", Some("--dark"))] {
+        let arguments: Vec<&str> = arguments.iter().copied().chain(ground).collect();
+        let drawn = std::fs::read(written("readme.gif", &arguments)).unwrap();
+        let kept = root.join(format!("src/manual/pictures/{name}.gif"));
+        assert!(std::fs::read(kept).unwrap() == drawn, "another: {name}");
+    }
 }
 
 /// Slides are dark as often as light; a program that paints an SVG knows no reader's preference.
