@@ -1,8 +1,6 @@
 //! The commands that need only a few lines each.
 
-use super::args::{
-    CheckArgs, CheckFormat, Cli, CompletionShell, OutputFormat, PlaceArgs, StartArgs, TableArgs,
-};
+use super::args::{CheckArgs, CheckFormat, Cli, OutputFormat, PlaceArgs, StartArgs, TableArgs};
 use super::failure::{Failure, note};
 use super::output::{write_scene, write_text, write_to};
 use super::screen::TextScreen;
@@ -16,10 +14,7 @@ use crate::report::{
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
 use crate::wording::words;
-use clap::builder::PossibleValuesParser;
-use clap::{Arg, Command, CommandFactory};
-use clap_complete::{Generator, Shell};
-use clap_complete_nushell::Nushell;
+use clap::{Command, CommandFactory};
 
 /// Runs `krank list`: prints a line per preset.
 pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
@@ -216,56 +211,6 @@ pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
         Some(text) => write_scene(args.output.output.as_deref(), &text),
         None => Err(Failure::Cannot(words().no_start_tells_assembly().into())),
     }
-}
-
-/// Runs `krank completions`.
-pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<(), Failure> {
-    let script = match shell {
-        CompletionShell::Bash => completion_script(Shell::Bash),
-        CompletionShell::Elvish => completion_script(Shell::Elvish),
-        CompletionShell::Fish => completion_script(Shell::Fish),
-        CompletionShell::Nushell => completion_script(Nushell),
-        CompletionShell::PowerShell => completion_script(Shell::PowerShell),
-        CompletionShell::Zsh => completion_script(Shell::Zsh),
-    };
-    let mut script = screen.shown(&script);
-    let presets: Vec<&str> = presets::all().iter().map(|preset| preset.name).collect();
-    let presets = presets.join(" ");
-    match shell {
-        // The generator lists values instead of files; a scene may be either.
-        CompletionShell::Zsh => {
-            let values = format!("({presets})");
-            script = script.replace(&values, &format!("{{compadd {presets}; _files}}"));
-        }
-        // The generator omits positional arguments.
-        CompletionShell::Fish => {
-            let without = ["list", "help", "man", "completions", "config"].join(" ");
-            script += &format!(
-                "complete -c krank -n \"not __fish_seen_subcommand_from {without}\" -a \"{presets}\"\n"
-            );
-        }
-        _ => {}
-    }
-    write_text(None, &script)
-}
-
-fn completion_script(generator: impl Generator) -> String {
-    // The generator panics on write errors, so it writes to memory.
-    let mut script = Vec::new();
-    clap_complete::generate(generator, &mut with_presets(), "krank", &mut script);
-    String::from_utf8_lossy(&script).into_owned()
-}
-
-/// Returns the command line with the names of the presets as values of each scene.
-fn with_presets() -> Command {
-    let with = |arg: Arg| match arg.get_id() == "scene" {
-        true => arg.value_parser(PossibleValuesParser::new(
-            presets::all().iter().map(|preset| preset.name),
-        )),
-        false => arg,
-    };
-    let krank = Cli::command().mut_args(with);
-    krank.mut_subcommands(move |command| command.mut_args(with))
 }
 
 /// Runs `krank man`: prints the manual page of krank or of one of its commands.

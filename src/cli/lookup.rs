@@ -1,14 +1,16 @@
-//! Finds the words of `krank help WORD` in the topics, the keys, the columns and the commands.
+//! Finds the words of `krank help WORD` in the questions, the topics, the keys, the columns and the commands.
 
 use super::args::Cli;
 use super::help::{about, table};
-use crate::manual::{self, SearchWords};
+use crate::manual::{self, FoundTopic, SearchWords};
 #[cfg(feature = "tui")]
 use crate::tui::key_rows_about;
 use crate::wording::{Language, words};
 use clap::{Arg, CommandFactory};
 use std::iter::once;
 
+/// The topic with questions and answers.
+const QUESTIONS: &str = "how";
 /// Maximum number of lines listed for a topic.
 const MAX_LINES: usize = 3;
 /// Columns by which these lines are indented.
@@ -30,7 +32,9 @@ pub(super) fn page(typed: &str, near: Option<&str>, width: usize) -> Option<Stri
 
 fn page_in_language(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
     let sought = SearchWords::new(typed);
+    let (heading, questions) = questions(&sought);
     let sections = [
+        (heading.as_str(), questions),
         (words().topics_heading(), topics(&sought, width)),
         (words().keys_heading(), rows(key_rows_about(&sought))),
         (words().columns_heading(), columns(&sought)),
@@ -54,9 +58,27 @@ fn rows(rows: String) -> String {
     }
 }
 
+/// Returns the title of the topic with questions, and its questions that have the words, each with its answer.
+fn questions(sought: &SearchWords) -> (String, String) {
+    let topic = manual::find(QUESTIONS).map(|topic| topic.text(String::new));
+    let topic = topic.unwrap_or_default();
+    let heading = topic.lines().next().unwrap_or_default();
+    let rows = topic.lines().filter(|line| line.contains("? | "));
+    let mut rows: Vec<&str> = rows.filter(|row| sought.are_in(&[row])).collect();
+    // Those with the words in the question itself come first.
+    rows.sort_by_key(|row| !sought.are_in(&[row.split("? | ").next().unwrap_or(row)]));
+    let rows: String = rows.iter().map(|row| format!("{row}\n")).collect();
+    let table = match rows.is_empty() {
+        true => rows,
+        false => format!("| | | |\n|---|---|---|\n{rows}"),
+    };
+    (heading.trim_start_matches("# ").to_owned(), table)
+}
+
 fn topics(sought: &SearchWords, width: usize) -> String {
     let topics = sought.in_topics(width.saturating_sub(INDENT)).into_iter();
-    let topics = topics.map(|(topic, lines)| {
+    let topics = topics.filter(|found| found.topic.name != QUESTIONS);
+    let topics = topics.map(|FoundTopic { topic, lines }| {
         let mut text = format!("{}: {}\n\n```text\n", topic.name, topic.told());
         for line in lines.iter().take(MAX_LINES) {
             text += &format!("{line}\n");

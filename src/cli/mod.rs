@@ -3,6 +3,7 @@
 mod accuracy;
 mod args;
 mod commands;
+mod completions;
 #[cfg(feature = "tui")]
 mod config;
 mod cycle;
@@ -144,7 +145,7 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         #[cfg(feature = "tui")]
         Some(Command::Config) => config::config(screen),
         Some(Command::Help(args)) => help::help(args),
-        Some(Command::Completions { shell }) => commands::completions(*shell, screen),
+        Some(Command::Completions { shell }) => completions::completions(*shell, screen),
         Some(Command::Man { command }) => commands::man(command.as_deref(), screen),
     }
 }

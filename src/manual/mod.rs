@@ -18,7 +18,7 @@ pub(crate) use fold::{folded, joined};
 pub(crate) use layout::{LineKind, lines};
 #[cfg(feature = "tui")]
 pub(crate) use layout::{ManualLine, plain};
-pub(crate) use search::SearchWords;
+pub(crate) use search::{FoundTopic, SearchWords};
 pub(crate) use web::site;
 
 /// Something to read.
@@ -224,33 +224,6 @@ pub(crate) const TOPICS: &[Topic] = &[
 /// The topic of this name, in English or in Turkish.
 pub(crate) fn find(name: &str) -> Option<&'static Topic> {
     TOPICS.iter().find(|topic| topic.is_called(name))
-}
-
-/// Topics that are told at most of a word.
-#[cfg(feature = "tui")]
-const MAX_LISTED: usize = 3;
-
-/// The topics in which all of these words stand, by their places, those first in which they stand most often.
-#[cfg(feature = "tui")]
-pub(crate) fn telling(wanted: &str) -> Vec<usize> {
-    let wanted = spelled(wanted);
-    let sought: Vec<&str> = wanted.split_whitespace().collect();
-    if sought.is_empty() {
-        return Vec::new();
-    }
-    let often = |(at, topic): (usize, &Topic)| {
-        let text = spelled(&topic.text(String::new));
-        let often = sought.iter().map(|word| text.matches(word).count()).min()?;
-        // A topic is about what it is called by.
-        let is_about = sought
-            .iter()
-            .all(|word| spelled(topic.called()).contains(word));
-        (often > 0).then_some((!is_about, std::cmp::Reverse(often), at))
-    };
-    let mut found: Vec<_> = TOPICS.iter().enumerate().filter_map(often).collect();
-    found.sort_unstable();
-    found.truncate(MAX_LISTED);
-    found.into_iter().map(|(.., at)| at).collect()
 }
 
 /// The names of the topics in the language that is spoken, where they have others there.

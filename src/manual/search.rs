@@ -1,8 +1,20 @@
 //! Searches the topics for words.
 
-use super::layout::{ManualLine, lines};
+use super::layout::{ManualLine, lines, plain};
 use super::{TOPICS, Topic, spelled};
 use std::cmp::Reverse;
+
+/// Maximum number of topics that the workbench names.
+#[cfg(feature = "tui")]
+const MAX_BEST: usize = 3;
+
+/// A topic in which words were found.
+#[derive(Debug)]
+pub(crate) struct FoundTopic {
+    pub(crate) topic: &'static Topic,
+    /// A line of each place.
+    pub(crate) lines: Vec<String>,
+}
 
 /// Words to search for. Case does not matter, and Turkish letters match the ASCII letters that they look like.
 #[derive(Debug)]
@@ -23,16 +35,34 @@ impl SearchWords {
     }
 
     /// Returns the topics that have the words in one paragraph, table row or line of code, each with a line of every
-    /// such place. Topics with more places come first.
-    pub(crate) fn in_topics(&self, width: usize) -> Vec<(&'static Topic, Vec<String>)> {
-        let found = TOPICS.iter().map(|topic| (topic, self.found(topic, width)));
-        let mut found: Vec<_> = found.filter(|(_, lines)| !lines.is_empty()).collect();
-        found.sort_by_key(|(_, lines)| Reverse(lines.len()));
+    /// such place. A topic whose name has the words comes first, then topics with more places.
+    pub(crate) fn in_topics(&self, width: usize) -> Vec<FoundTopic> {
+        let found = TOPICS.iter().map(|topic| FoundTopic {
+            topic,
+            lines: self.lines_in(topic, width),
+        });
+        let mut found: Vec<FoundTopic> = found.filter(|found| !found.lines.is_empty()).collect();
+        found.sort_by_key(|FoundTopic { topic, lines }| {
+            (!self.are_in(&[topic.called()]), Reverse(lines.len()))
+        });
         found
     }
 
-    fn found(&self, topic: &Topic, width: usize) -> Vec<String> {
-        let lines = lines(&topic.text(String::new), width);
+    /// Returns the places in [`TOPICS`] of the first few topics.
+    #[cfg(feature = "tui")]
+    pub(crate) fn best_topics(&self) -> Vec<usize> {
+        let found = self.in_topics(usize::MAX).into_iter().take(MAX_BEST);
+        let place = |name: &str| TOPICS.iter().position(|topic| topic.name == name);
+        found.filter_map(|it| place(it.topic.name)).collect()
+    }
+
+    fn lines_in(&self, topic: &Topic, width: usize) -> Vec<String> {
+        let text = topic.text(String::new);
+        // The layout takes longer than this test.
+        if !self.are_in(&[&plain(&text)]) {
+            return Vec::new();
+        }
+        let lines = lines(&text, width);
         let places = lines.chunk_by(|_, next| next.goes_on);
         places.filter_map(|place| self.line_of(place)).collect()
     }
@@ -49,10 +79,12 @@ impl SearchWords {
     }
 }
 
-/// Returns `true` if a word of the text starts with these letters; both are spelled in ASCII.
+/// Returns `true` if a word of the text starts with these characters, or if they start with a sign such as `+` and
+/// occur anywhere. Both are spelled in ASCII.
 fn has_word(text: &str, start: &str) -> bool {
+    let is_sign = !start.starts_with(char::is_alphanumeric);
     let mut places = text.match_indices(start);
-    places.any(|(at, _)| !text[..at].ends_with(char::is_alphanumeric))
+    places.any(|(at, _)| is_sign || !text[..at].ends_with(char::is_alphanumeric))
 }
 
 #[cfg(test)]
@@ -67,6 +99,26 @@ mod tests {
         assert!(has("ratio time", "the time ratio") && !has("ratio angle", "the time ratio"));
         assert!(has("bounds", "`--bounds`") && has("--bounds", "`--bounds`"));
         assert!(!has("ram", "parameters and programs") && !has(" ", "a text"));
+        assert!(has("+s", "Ctrl+S") && !has("s", "keys"));
+    }
+
+    /// `krank help WORD`, the list of commands and the overlay name the same topics.
+    #[test]
+    fn a_topic_named_by_the_words_comes_first() {
+        for (typed, name) in [
+            ("limit", "limits"),
+            ("toler", "tolerances"),
+            ("synth", "synthesis"),
+        ] {
+            let found = SearchWords::new(typed).in_topics(80);
+            assert_eq!(found[0].topic.name, name);
+            let others = found[1..].windows(2);
+            assert!(
+                others
+                    .into_iter()
+                    .all(|pair| pair[0].lines.len() >= pair[1].lines.len())
+            );
+        }
     }
 
     #[test]

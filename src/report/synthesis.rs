@@ -50,8 +50,8 @@ impl SynthesisReport<'_> {
         tolerance: Option<f64>,
     ) -> SceneTitles {
         SceneTitles {
-            name: words().candidate_called(&self.file.name, number),
-            source: words().candidate_made_by(&self.file.name),
+            name: words().candidate_called(&self.file.title(), number),
+            source: words().candidate_made_by(&self.file.title()),
             comments: self.comments(candidate),
             unit: self.file.unit.symbol().to_owned(),
             tolerance,
@@ -94,7 +94,7 @@ impl SynthesisReport<'_> {
     #[must_use]
     pub fn page(&self) -> Page {
         let mut page = Page::aligned();
-        page.title(&self.file.name);
+        page.title(&self.file.title());
         let mut facts = Facts::default();
         facts.tell(words().wanted_motion(), [wanted(&self.file.task)]);
         facts.tell(words().designs_found(), [self.verdict()]);

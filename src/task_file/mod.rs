@@ -103,6 +103,12 @@ impl WrittenKind {
 }
 
 impl TaskFile {
+    /// Returns the display title; titles of built-in tasks are translated.
+    #[must_use]
+    pub fn title(&self) -> String {
+        words().translated_scene_text(&self.name)
+    }
+
     /// Returns `true` if a file is a task: it has a `kind`, which no scene has.
     #[must_use]
     pub fn is_meant(bytes: &[u8]) -> bool {

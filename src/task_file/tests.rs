@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::synthesis::{Given, Sense};
+use crate::wording::Language;
 
 fn read(text: &str) -> TaskFile {
     TaskFile::parse(text, "test").unwrap_or_else(|faults| panic!("{}", faults.first_words()))
@@ -190,4 +191,16 @@ fn faults_point_at_their_place() {
             "{text}"
         );
     }
+}
+
+#[test]
+fn titles_of_built_in_tasks_are_translated() {
+    for task in ExampleTask::all() {
+        let file = read(task.text);
+        Language::English.speak();
+        assert_eq!(file.title(), file.name);
+        Language::Turkish.speak();
+        assert_ne!(file.title(), file.name, "{}", task.name);
+    }
+    Language::English.speak();
 }

@@ -95,6 +95,17 @@ fn unknown_word_is_searched_in_all_topics() {
         assert!(found.contains(part), "{part:?}\n{found}");
     }
     assert!(done(&["help", "time ratio"]).contains("\n    - Time ratio: the slow travel"));
+    // The questions come first, as whole rows.
+    let found = done(&["help", "compare"]);
+    let lines: Vec<&str> = found.lines().take(6).collect();
+    assert_eq!(lines[2], "How do I ...?");
+    assert!(
+        lines[4].starts_with("compare two scenes?") && lines[4].contains("`D`"),
+        "{found}"
+    );
+    let found = done(&["help", "drawing"]);
+    let first = found.lines().nth(4).unwrap();
+    assert!(first.starts_with("write a drawing"), "{found}");
     let near = done(&["help", "column"]);
     assert!(near.contains("did you mean `columns`?"), "{near}");
     for word in [" ", "ensitivity"] {
@@ -132,8 +143,9 @@ fn every_mentioned_topic_exists() {
     }
     assert!(asked.len() > 4, "{asked:?}");
     for word in asked {
-        // This word is the example of a text search.
-        let is_there = word == "transmission" || names.contains(&word) || commands.contains(&word);
+        // Examples of words that are searched.
+        let is_searched = ["compare", "transmission"].contains(&word.as_str());
+        let is_there = is_searched || names.contains(&word) || commands.contains(&word);
         assert!(is_there, "{word}");
     }
     for name in names {

@@ -105,7 +105,7 @@ fn every_command_of_the_manual_runs() {
         }
     }
     let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
-    assert_eq!(ran, 53 + in_pixels);
+    assert_eq!(ran, 56 + in_pixels);
 }
 
 const GROUND: (&str, &str) = ("[ground]", "A = [0, 0]\nD = [400, 0]");

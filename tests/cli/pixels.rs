@@ -1,5 +1,6 @@
 //! Tests of `krank draw --format png|gif`: decodes the pictures and checks the pixels of the crank.
 
+use super::readme::MOVING;
 use super::{command, folder};
 use resvg::tiny_skia::Pixmap;
 use std::fs::File;
@@ -93,6 +94,20 @@ fn gif_pixels_loop_forever_with_requested_duration() {
     }
     assert_eq!((frames, hundredths, changed), (30, 200, 29));
     assert_eq!(decoder.repeat(), gif::Repeat::Infinite);
+}
+
+/// The moving picture of the README is what its command writes today.
+#[test]
+fn pixels_of_readme_gif_match_draw_output() {
+    let arguments = MOVING.split(' ').skip(1);
+    let arguments: Vec<&str> = arguments.take_while(|word| *word != "-o").collect();
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (name, ground) in [("four-bar", None), ("four-bar-dark", Some("--dark"))] {
+        let arguments: Vec<&str> = arguments.iter().copied().chain(ground).collect();
+        let drawn = std::fs::read(written("readme.gif", &arguments)).unwrap();
+        let kept = root.join(format!("src/manual/pictures/{name}.gif"));
+        assert!(std::fs::read(kept).unwrap() == drawn, "another: {name}");
+    }
 }
 
 /// Programs that render an SVG do not know the reader's preference for dark slides.

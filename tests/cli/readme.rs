@@ -90,6 +90,27 @@ fn readme_pictures_match_draw_output() {
     );
 }
 
+/// The blocks of a GIF are counted by their marks; what they show is tested with the feature `pictures`.
+#[test]
+fn readme_gifs_have_frames_and_a_link() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    for name in ["four-bar", "four-bar-dark"] {
+        let link = format!("src/manual/pictures/{name}.gif");
+        assert!(README.contains(&format!("=\"{link}\">")), "{link}");
+        let gif = std::fs::read(root.join(&link)).unwrap();
+        assert!(gif.starts_with(b"GIF89a") && gif.ends_with(b";"), "{link}");
+        assert!(gif.len() < 200_000, "{link}: {} bytes", gif.len());
+        // A graphic control extension begins each frame.
+        let frames = gif.windows(3).filter(|bytes| bytes == b"\x21\xf9\x04");
+        assert!(frames.count() >= 60, "{link}");
+    }
+    assert!(README.contains(&format!("\n    krank {MOVING}\n")));
+}
+
+/// The command that wrote the moving picture.
+pub(super) const MOVING: &str =
+    "draw four-bar --traces --size 58x20 --width 400 --seconds 4 --format gif -o four-bar.gif";
+
 /// Commands that end by themselves within a moment. The others open the workbench or measure times.
 pub(super) const QUICK: [&str; 21] = [
     "list",
@@ -138,6 +159,7 @@ fn readme_commands_run() {
     let shown = README
         .lines()
         .filter_map(|line| line.strip_prefix("    krank "));
+    let shown = shown.filter(|line| *line != MOVING);
     let shown = shown.map(|line| line.split("  ").next().unwrap().trim());
     assert_eq!(ran(shown, "readme-commands"), 4);
     for code in [

@@ -24,8 +24,9 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those modules with texts outside the catalogue.
-const OTHERS: [&[&str]; 14] = [
+const OTHERS: [&[&str]; 15] = [
     // Commands for a shell.
+    &["cli", "completions"],
     &["cli", "pager"],
     // Messages between derived implementations only.
     &["document", "lenient"],

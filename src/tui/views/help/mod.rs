@@ -15,7 +15,7 @@ use super::popup::{self, BORDER};
 use super::table::UNSURE;
 use super::{columns, cut, print, print_right};
 use crate::capability::Colours;
-use crate::manual::{self, TOPICS};
+use crate::manual::{SearchWords, TOPICS};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, entries};
@@ -34,7 +34,7 @@ const MAX_COLUMNS: u16 = 3;
 
 /// What is said where no key was found: which topics of the manual tell of it.
 fn nothing(sought: &str) -> Vec<String> {
-    let topics = manual::telling(sought).into_iter();
+    let topics = SearchWords::new(sought).best_topics().into_iter();
     let topics: Vec<&str> = topics.map(|at| TOPICS[at].called()).collect();
     let told = match topics.is_empty() {
         true => String::new(),

@@ -3,8 +3,7 @@
 
 use super::keys::groups;
 use super::{finding, page};
-use crate::document::with_ascii_letters;
-use crate::manual::{self, TOPICS, Topic};
+use crate::manual::{self, SearchWords, TOPICS, Topic};
 use crate::tui::app::View;
 use crate::tui::commands::action;
 use crate::tui::commands::keymap::Keymap;
@@ -126,8 +125,8 @@ impl Help {
             return;
         };
         let from = *search.from.get_or_insert(here);
-        let words = search.line.text().to_ascii_lowercase();
-        let is_asked = !words.trim().is_empty();
+        let text = search.line.text();
+        let (words, is_asked) = (SearchWords::new(text), !text.trim().is_empty());
         let found = match is_asked {
             true => finding::next(&words, behind.unwrap_or(from), columns, keymap),
             false => None,
@@ -208,7 +207,8 @@ impl Help {
 
     /// The lines in a view: none where no key does what is searched for.
     pub(crate) fn lines(&self, view: View, keymap: &Keymap) -> Vec<HelpLine> {
-        let wanted = self.words().unwrap_or_default().to_ascii_lowercase();
+        let wanted = self.words().filter(|text| !text.trim().is_empty());
+        let wanted = wanted.map(SearchWords::new);
         let mut lines = Vec::new();
         for (title, entries) in groups(Some(view)) {
             let rows = entries.into_iter().filter_map(|entry| {
@@ -216,7 +216,7 @@ impl Help {
                 let row = (action::listed(keys), (entry.help)(words()));
                 let sought = keywords(entry.action);
                 let texts = [&row.0, row.1, (entry.hint)(words()), title, sought];
-                let is_meant = finds(&wanted, &texts);
+                let is_meant = wanted.as_ref().is_none_or(|it| it.are_in(&texts));
                 (is_meant && !keys.is_empty()).then_some(row)
             });
             let mut rows = rows.peekable();
@@ -231,15 +231,6 @@ impl Help {
         }
         lines
     }
-}
-
-/// Whether each of the words, typed in letters of ASCII, is in one of the texts: letters of Turkish are found by those
-/// that they look like.
-pub(super) fn finds(words: &str, texts: &[&str]) -> bool {
-    let spelled = |text: &&str| with_ascii_letters(text).to_ascii_lowercase();
-    let texts: Vec<String> = texts.iter().map(spelled).collect();
-    let mut words = words.split_whitespace();
-    words.all(|word| texts.iter().any(|text| text.contains(word)))
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! followed by the matching topics of the manual.
 
 use crate::document::with_ascii_letters;
-use crate::manual::{self, TOPICS, Topic};
+use crate::manual::{SearchWords, TOPICS, Topic};
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
@@ -68,7 +68,7 @@ impl CommandList {
             costs.sort_unstable();
         }
         self.found = costs.into_iter().map(|(_, at)| at).collect();
-        self.topics = manual::telling(&typed);
+        self.topics = SearchWords::new(&typed).best_topics();
         self.cursor = 0;
     }
 
@@ -255,8 +255,8 @@ mod tests {
     #[test]
     fn command_names_find_their_command_first() {
         for row in rows() {
-            let first = rows().find(|other| Some(&other.name) == found(row.name).first());
-            let first = first.unwrap();
+            let name = found(row.name)[0];
+            let first = rows().find(|other| other.name == name).unwrap();
             let told = (first.help)(words());
             assert!(
                 first.name == row.name || told == row.name,

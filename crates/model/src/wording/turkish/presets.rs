@@ -1,5 +1,5 @@
-//! Turkish translations of the titles, sources and notes in the built-in scenes. A changed text has
-//! no translation and is shown as it is.
+//! Turkish translations of the titles, sources and notes in the built-in scenes, and of the titles of
+//! the built-in tasks. A changed text has no translation and is shown as it is.
 
 /// Returns the translation of a text in a built-in scene, or any other text unchanged.
 pub(super) fn said(text: &str) -> &str {
@@ -8,7 +8,7 @@ pub(super) fn said(text: &str) -> &str {
 }
 
 #[rustfmt::skip]
-const TEXTS: [(&str, &str); 105] = [
+const TEXTS: [(&str, &str); 109] = [
     (
         "Four-bar crank-rocker",
         "Dört çubuk, krank-sarkaç",
@@ -428,5 +428,21 @@ const TEXTS: [(&str, &str); 105] = [
     (
         "The cylinder works between the two arms, so nothing can be found by itself: arms, barrel and foot are solved together. The flatter the table lies, the harder the cylinder must push.",
         "Silindir iki kolun arasında çalışır, hiçbir şey tek başına bulunamaz: kollar, silindir gövdesi ve ayak birlikte çözülür. Masa ne kadar alçaksa silindir o kadar çok iter.",
+    ),
+    (
+        "Hatch",
+        "Kapak",
+    ),
+    (
+        "Logarithm",
+        "Logaritma",
+    ),
+    (
+        "Straight-line guide",
+        "Doğru çizen mekanizma",
+    ),
+    (
+        "Stirrer",
+        "Karıştırıcı",
     ),
 ];

@@ -1,0 +1,98 @@
+//! Completion scripts have the names that can be typed.
+
+use super::{done, presets};
+
+const SHELLS: [&str; 6] = ["bash", "elvish", "fish", "nushell", "powershell", "zsh"];
+
+#[test]
+fn every_shell_has_commands_presets_tasks_and_topics() {
+    for shell in SHELLS {
+        let script = done(&["completions", shell]);
+        assert!(script.contains("sweep"), "{shell}");
+        // The generators for these two list the values of options alone.
+        if !["elvish", "powershell"].contains(&shell) {
+            let mut names = presets();
+            names.extend(["stirrer", "tutorial"].map(str::to_owned));
+            for name in names {
+                assert!(script.contains(&name), "{shell}: {name}");
+            }
+        }
+    }
+    let names = presets().join(" ");
+    let script = done(&["completions", "zsh"]);
+    assert!(script.contains(&format!(":{{compadd {names}; _files}}'")));
+    // A command is the first word, not the second.
+    assert!(script.contains("case $line[1] in") && !script.contains("$line[2]"));
+    assert!(script.contains(&format!("    compadd {names}\n    _files\n")));
+    let script = done(&["completions", "fish"]);
+    let line = |command: &str, names: &str| {
+        format!("complete -c krank -n \"__fish_krank_using_subcommand {command}\" -a \"{names}\"\n")
+    };
+    assert!(script.contains(&line("export", &names)));
+    assert!(script.contains(&line(
+        "synthesize",
+        "wiper hatch logarithm straight-line stirrer"
+    )));
+    assert!(!script.contains(&line("list", &names)));
+}
+
+/// `--columns` of five commands, and `--against` of plots. A study takes other names.
+#[test]
+fn options_with_columns_look_them_up() {
+    for (shell, call) in [
+        ("bash", "                    _krank_columns\n"),
+        ("fish", " -a \"(__fish_complete_list , __krank_columns)\"\n"),
+        ("nushell", "    columns-of $context\n"),
+        ("zsh", ":_krank_columns' \\\n"),
+    ] {
+        let script = done(&["completions", shell]);
+        assert!(!script.contains("KRANK-COLUMNS"), "{shell}");
+        assert_eq!(script.matches(call).count(), 6, "{shell}");
+        let look_up = script.matches("--columns '*' --format csv").count();
+        assert_eq!(look_up, 1, "{shell}");
+    }
+}
+
+/// What bash lists behind these words.
+#[cfg(target_os = "linux")]
+fn listed(words: &[&str]) -> Vec<String> {
+    let program = std::path::Path::new(env!("CARGO_BIN_EXE_krank"));
+    let path = std::env::var_os("PATH").unwrap();
+    let folders = std::env::split_paths(&path);
+    let folders = [program.parent().unwrap().to_owned()]
+        .into_iter()
+        .chain(folders);
+    let script = r#"source <(krank completions bash)
+        COMP_WORDS=(krank "$@") COMP_CWORD=$#
+        _krank krank "${COMP_WORDS[COMP_CWORD]}" "${COMP_WORDS[COMP_CWORD-1]}"
+        printf '%s\n' "${COMPREPLY[@]}""#;
+    let mut bash = std::process::Command::new("bash");
+    bash.args(["--norc", "-c", script, "bash"]).args(words);
+    let output = bash
+        .env("PATH", std::env::join_paths(folders).unwrap())
+        .output();
+    let output = output.unwrap();
+    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    let text = String::from_utf8(output.stdout).unwrap();
+    text.lines().map(str::to_owned).collect()
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn bash_lists_the_columns_of_the_scene() {
+    let listed_columns = listed(&["table", "four-bar", "--columns", "C.v"]);
+    assert_eq!(listed_columns, ["C.vx", "C.vy"]);
+    // Numbers of options are no scenes, and a list goes on behind its comma.
+    let words = [
+        "sweep",
+        "--from",
+        "0",
+        "slider-crank",
+        "--columns",
+        "C.x,C.a",
+    ];
+    assert_eq!(listed(&words), ["C.x,C.ax", "C.x,C.ay"]);
+    assert_eq!(listed(&["plot", "four-bar", "--against", "driver.p"]), [""]);
+    assert_eq!(listed(&["table", "no-scene", "--columns", "C"]), [""]);
+    assert!(listed(&["table", "jans"]).contains(&"jansen-leg".to_owned()));
+}
