@@ -5,6 +5,7 @@
 //! `solver` knows no file, no unit name and no terminal; only the command line imports `tui`, and
 //! only `main` imports the command line.
 
+mod english;
 mod names;
 mod wording;
 
