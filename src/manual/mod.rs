@@ -62,9 +62,9 @@ macro_rules! chapter {
     };
 }
 
-/// The line that is replaced by the table of the workbench's keys.
+/// Placeholder line for the table of the workbench's keys.
 const KEYS: &str = "{keys}\n";
-/// The line that is replaced by the reference of scene keys.
+/// Placeholder line for the reference of the scene file's keys.
 const SCENE_KEYS: &str = "{keys of a scene}\n";
 
 impl Topic {

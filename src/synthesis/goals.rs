@@ -90,8 +90,8 @@ fn output_at(proposal: &Proposal, point: usize) -> Option<f64> {
     })
 }
 
-/// Returns the parameters that the task leaves free. Given pivots are fixed. For a function, the pivots and the guide are
-/// given, and only the lengths are free.
+/// Returns the parameters that the task leaves free. Given pivots are fixed. For a function, the pivots and the guide
+/// are given, and only the lengths are free.
 fn free(task: &Task, proposal: &Proposal) -> Vec<&'static str> {
     let mut free = vec!["crank", "coupler"];
     let is_rocker = matches!(proposal.partner, Partner::Rocker(_));
