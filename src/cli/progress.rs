@@ -196,7 +196,7 @@ fn watch_for_signals(
         .into_iter()
         .filter(|&signal| !is_ignored(signal))
         .collect();
-    // Registered within the thread: if it cannot be created, signals keep their effect.
+    // Registered within the thread: if the thread cannot be created, signals keep their effect.
     let (ready, is_ready) = channel();
     let wait = move || {
         let mut signals = Signals::new(caught).ok();
@@ -256,7 +256,7 @@ impl Counted<'_> {
         }
         tails.push(format!("{percent}{count}{left}"));
         tails.extend([percent.clone() + &left, percent.clone()]);
-        // A bar needs at least ten characters.
+        // A bar needs at least eleven columns, and a blank after it.
         let length = |tail: &String| tail.chars().count();
         let fits = |tail: &&String| length(tail) + 12 <= room;
         match tails.iter().find(fits) {
