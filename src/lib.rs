@@ -47,21 +47,21 @@
 //!     speed: 15.0,
 //!     acceleration: 0.0,
 //! });
-//! // Two assemblies close this loop; the start says which one is meant.
+//! // The loop has two assemblies; the start position of C selects one.
 //! builder.start(c, Vec2::new(310.0, 230.0));
 //!
-//! // Once: every element is sound by itself, the linkage closes and has one input.
+//! // Checks once that all elements are valid, and that the linkage can be assembled and has one input.
 //! let solver = Solver::new(&builder.build()?)?;
 //! let mut state = solver.state();
 //! assert_eq!(solver.solve(60.0, Order::Acceleration, &mut state), Condition::Ok);
 //!
-//! // The velocity of C in mm/s, and the coupler's angular velocity in rad/s. What was not solved, or does
-//! // not exist, is None.
+//! // The velocity of C in mm/s, and the coupler's angular velocity in rad/s. Values that were not solved
+//! // or do not exist are None.
 //! let v = state.velocity(c).expect("no dead point");
 //! assert!((v.x + 722.630802).abs() < 1e-6 && (v.y + 273.816684).abs() < 1e-6);
 //! assert!((state.omega(coupler).expect("no dead point") + 3.916412730).abs() < 1e-9);
 //!
-//! // What their errors cannot exceed, looked at from the outside.
+//! // A proved bound of the error: the ball contains the exact velocity.
 //! let mut enclosure = solver.enclosure();
 //! solver.enclose(&mut state, Order::Acceleration, &mut enclosure);
 //! let ball = enclosure.velocity(c).expect("no dead point");

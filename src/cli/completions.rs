@@ -1,4 +1,4 @@
-//! Completion scripts: those of the generators, with the names of presets, tasks, topics and columns.
+//! Writes completion scripts for shells, with the names of presets, tasks, topics and columns.
 
 use super::args::{Cli, CompletionShell};
 use super::failure::Failure;
@@ -12,21 +12,22 @@ use clap::{Arg, Command, CommandFactory};
 use clap_complete::{Generator, Shell};
 use clap_complete_nushell::Nushell;
 
-/// Stands for the columns of a scene, which only the script can look up.
+/// Placeholder for the columns of a scene, which only the script can look up.
 const COLUMNS: &str = "KRANK-COLUMNS";
 
-/// How a script looks up the columns.
+/// The parts of a script that look up the columns.
 struct ColumnLookUp {
-    /// The functions.
+    /// The shell functions for the lookup.
     functions: &'static str,
-    /// The line of the generator behind which they are.
+    /// The generated text after which the functions are inserted; empty for the start of the script.
     behind: &'static str,
-    /// How the generator lists the values of an option, and the call in its place.
+    /// The generated list of an option's values.
     listed: &'static str,
+    /// The call of the functions that replaces the list.
     call: &'static str,
 }
 
-/// `krank completions`.
+/// Runs `krank completions`: writes the script for a shell to standard output.
 pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<(), Failure> {
     let script = match shell {
         CompletionShell::Bash => with_columns(Shell::Bash, &BASH),
@@ -64,6 +65,7 @@ const NUSHELL: ColumnLookUp = ColumnLookUp {
     call: "[context: string] {\n    columns-of $context",
 };
 
+/// Generates a script with the built-in names and the lookup of columns.
 fn with_columns(generator: impl Generator, look_up: &ColumnLookUp) -> String {
     let columns = |arg: &Arg| is_columns(arg).then(|| vec![COLUMNS]);
     let krank = with_values(with_names(Cli::command()), columns);
@@ -82,8 +84,9 @@ fn is_columns(arg: &Arg) -> bool {
     }
 }
 
+/// Generates the script of a command line.
 fn generated(generator: impl Generator, mut krank: Command) -> String {
-    // The generator panics where it cannot write, so it writes to memory.
+    // The generator panics if it cannot write, so it writes to memory.
     let mut script = Vec::new();
     clap_complete::generate(generator, &mut krank, "krank", &mut script);
     String::from_utf8_lossy(&script).into_owned()
@@ -99,6 +102,7 @@ fn with_names(krank: Command) -> Command {
     })
 }
 
+/// Returns the command line with these values for every argument that has some.
 fn with_values(krank: Command, values: impl Fn(&Arg) -> Option<Vec<&'static str>>) -> Command {
     let with = |arg: Arg| match values(&arg) {
         Some(values) => arg.value_parser(PossibleValuesParser::new(values)),
@@ -118,13 +122,13 @@ fn task_names() -> Vec<&'static str> {
 
 /// Corrects the arguments in the script of the generator for zsh.
 fn with_zsh_arguments(mut script: String) -> String {
-    // It lists values in place of files; scenes and tasks may be either.
+    // The generator completes only names; scenes and tasks may also be files.
     for names in [preset_names(), task_names()] {
         let names = names.join(" ");
         let or_files = format!("{{compadd {names}; _files}}");
         script = script.replace(&format!("({names})"), &or_files);
     }
-    // It expects a command behind the scene; each of them is the first word.
+    // The generator expects a command after the scene, but either of them is the first word.
     let (scene, command) = (
         "\n'::scene -- ",
         "_describe -t commands 'krank commands' commands \"$@\"",
@@ -140,7 +144,7 @@ fn with_zsh_arguments(mut script: String) -> String {
     script.replace(command, &or_scene)
 }
 
-/// The generator for fish leaves out arguments that are no options.
+/// Returns completions of the positional arguments, which the generator for fish omits.
 fn fish_arguments() -> String {
     let krank = with_names(Cli::command());
     let of = |command: &Command, condition: &str| {

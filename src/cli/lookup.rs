@@ -1,4 +1,4 @@
-//! Finds the words of `krank help WORD` in the questions, the topics, the keys, the columns and the commands.
+//! Finds the words of `krank help WORD` in the questions, topics, keys, columns and commands.
 
 use super::args::Cli;
 use super::help::{about, table};
@@ -13,11 +13,11 @@ use std::iter::once;
 const QUESTIONS: &str = "how";
 /// Maximum number of lines listed for a topic.
 const MAX_LINES: usize = 3;
-/// Columns by which these lines are indented.
+/// Indentation of the lines of a topic, in columns.
 const INDENT: usize = 4;
 
-/// Returns a page in Markdown that lists where the words occur: in the current language, or else in the other one.
-/// `near` is a similar name.
+/// Returns a Markdown page that lists the occurrences of the words in the current language, or else in the other one.
+/// `near` is a similar name. Returns `None` if the words occur in neither language.
 pub(super) fn page(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
     // Replaces control characters such as U+0085.
     let typed = typed.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -50,7 +50,7 @@ fn page_in_language(typed: &str, near: Option<&str>, width: usize) -> Option<Str
     (!sections.is_empty()).then(|| title + "\n" + &sections)
 }
 
-/// Returns a table with these rows, or nothing if there are none.
+/// Returns a table with these rows; empty if there are none.
 fn rows(rows: String) -> String {
     match rows.is_empty() {
         true => rows,
@@ -65,7 +65,7 @@ fn questions(sought: &SearchWords) -> (String, String) {
     let heading = topic.lines().next().unwrap_or_default();
     let rows = topic.lines().filter(|line| line.contains("? | "));
     let mut rows: Vec<&str> = rows.filter(|row| sought.are_in(&[row])).collect();
-    // Those with the words in the question itself come first.
+    // Questions that have the words themselves precede those with the words in the answer.
     rows.sort_by_key(|row| !sought.are_in(&[row.split("? | ").next().unwrap_or(row)]));
     let rows: String = rows.iter().map(|row| format!("{row}\n")).collect();
     let table = match rows.is_empty() {
@@ -75,6 +75,7 @@ fn questions(sought: &SearchWords) -> (String, String) {
     (heading.trim_start_matches("# ").to_owned(), table)
 }
 
+/// Returns the topics that have the words, each with some of the lines that have them.
 fn topics(sought: &SearchWords, width: usize) -> String {
     let topics = sought.in_topics(width.saturating_sub(INDENT)).into_iter();
     let topics = topics.filter(|found| found.topic.name != QUESTIONS);
@@ -91,7 +92,7 @@ fn topics(sought: &SearchWords, width: usize) -> String {
     topics.collect::<Vec<_>>().join("\n")
 }
 
-/// Returns the names of columns in the topic about them.
+/// Returns the column names that have the words, from the topic about columns, as a sorted list.
 fn columns(sought: &SearchWords) -> String {
     let topic = manual::find("columns").map(|topic| topic.text(String::new));
     let topic = topic.unwrap_or_default();
@@ -136,7 +137,7 @@ fn is_about(arg: &Arg, sought: &SearchWords) -> bool {
     sought.are_in(&texts)
 }
 
-/// Without the workbench there are no keys.
+/// Returns no rows, because there are no keys without the workbench.
 #[cfg(not(feature = "tui"))]
 fn key_rows_about(_: &SearchWords) -> String {
     String::new()

@@ -39,7 +39,7 @@ const CLEAR: &str = "\r\x1b[K";
 /// The progress of a command.
 pub(super) struct Progress {
     total: u64,
-    /// The counted items: `rows`.
+    /// The name of the counted items, such as `rows`.
     unit: &'static str,
     screen: TextScreen,
     /// `None` if the line is not shown.
@@ -58,8 +58,8 @@ pub(super) struct Progress {
 struct ProgressLine(String);
 
 impl Progress {
-    /// Creates the progress of a command with `total` items. If `beside` is `true`, the results
-    /// go to the terminal, and the line is not shown.
+    /// Creates the progress of a command with `total` items, counted in `unit`. The last argument
+    /// is `true` if the results go to the terminal; then the line is not shown.
     pub(super) fn new(
         total: u64,
         unit: &'static str,
@@ -100,7 +100,8 @@ impl Progress {
             .is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
-    /// Reports the number of completed items. Mostly very cheap.
+    /// Reports the number of completed items, and updates the line if an update is due. Most calls
+    /// are very cheap.
     pub(super) fn tell(&mut self, done: u64) {
         let Some(line) = &self.line else { return };
         let elapsed = self.begin.elapsed();
@@ -113,7 +114,7 @@ impl Progress {
             return;
         }
         if first && watch_for_signals(Arc::clone(line), self.stop.clone()).is_err() {
-            // A line that a signal would leave behind is worse than none.
+            // A line that stays after a signal is worse than no line.
             self.line = None;
             return;
         }
@@ -195,7 +196,7 @@ fn watch_for_signals(
         .into_iter()
         .filter(|&signal| !is_ignored(signal))
         .collect();
-    // Registered within the thread: if it cannot be created, signals keep their effect.
+    // Registered within the thread: if the thread cannot be created, signals keep their effect.
     let (ready, is_ready) = channel();
     let wait = move || {
         let mut signals = Signals::new(caught).ok();
@@ -222,6 +223,7 @@ fn in_the_foreground() -> bool {
     tcgetpgrp(io::stderr()).is_ok_and(|group| group == getpgrp())
 }
 
+/// Returns the terminal's width in columns, or [`WIDTH`] if the terminal reports none.
 fn width() -> usize {
     let told = tcgetwinsize(io::stderr()).map_or(0, |size| usize::from(size.ws_col));
     if told == 0 { WIDTH } else { told }
@@ -254,7 +256,7 @@ impl Counted<'_> {
         }
         tails.push(format!("{percent}{count}{left}"));
         tails.extend([percent.clone() + &left, percent.clone()]);
-        // A bar needs at least ten characters.
+        // A bar needs at least eleven columns, and a blank after it.
         let length = |tail: &String| tail.chars().count();
         let fits = |tail: &&String| length(tail) + 12 <= room;
         match tails.iter().find(fits) {
@@ -263,6 +265,7 @@ impl Counted<'_> {
         }
     }
 
+    /// Draws a bar of at most `room` columns.
     fn bar(&self, room: usize, ascii: bool) -> String {
         let (full, open, ends) = if ascii {
             ("#", ".", ["[", "]"])

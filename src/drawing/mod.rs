@@ -1,4 +1,4 @@
-//! Draws linkages in characters: primitives in world units, a window on them, and cells.
+//! Draws linkages in characters, and as SVG and DXF documents.
 //!
 //! [`linkage`] turns a scene in a state into a [`Figure`]: lines, marks and labels in the scene's
 //! length unit, y upwards. A [`WorldView`] maps world points to cells, and [`render_into`] draws

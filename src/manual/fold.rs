@@ -1,12 +1,14 @@
-//! What stands as it is on a screen that is narrower, and what was broken as one text again.
+//! Folds code lines for narrow screens, and joins broken lines to one text again.
 
 use super::layout::{LineKind, ManualLine};
 
-/// Blanks before what goes on with a line.
+/// Blanks before a continuation line of code.
 const INDENT: usize = 2;
 
-/// The line in pieces of at most so many characters: behind a blank, where one is in the second half of a piece.
-/// Only the last piece is without blanks at its end, so that the pieces in a row are the line.
+/// Splits a line of code into pieces of at most `width` characters; other lines are returned unchanged.
+///
+/// A piece ends after its last blank if that blank is in its second half. Pieces keep their trailing blanks, so that
+/// the pieces without their indentation concatenate to the line.
 pub(crate) fn folded(line: ManualLine, width: usize) -> Vec<ManualLine> {
     if line.kind != LineKind::Code {
         return vec![line];
@@ -29,7 +31,7 @@ pub(crate) fn folded(line: ManualLine, width: usize) -> Vec<ManualLine> {
     pieces
 }
 
-/// The lines of a paragraph as it was before it was broken.
+/// Joins the lines of a paragraph: words with a blank before each line, folded code without its indentation.
 pub(crate) fn joined(lines: &[ManualLine]) -> String {
     let mut text = String::new();
     for line in lines {
@@ -45,6 +47,7 @@ pub(crate) fn joined(lines: &[ManualLine]) -> String {
     text
 }
 
+/// Returns a piece of code. An indented piece continues the line before it.
 fn piece(text: &[char], indent: usize) -> ManualLine {
     let text: String = text.iter().collect();
     ManualLine {

@@ -1,42 +1,43 @@
-//! A text in Markdown as lines of a width.
+//! Lays out a Markdown text as lines of a given width.
 
 use super::markdown::{MarkdownBlock, MarkdownContent, blocks};
 use super::table;
 use crate::page::wrapped;
 
-/// What a line is.
+/// The kind of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum LineKind {
     /// A heading.
     Title,
-    /// Words, or nothing.
+    /// A line of prose or of a table; blank lines too.
     Words,
-    /// Part of a file or of a screen, as it stands: the only lines that may be wider than there is room.
+    /// A verbatim line of a file or screen. Only these lines may be wider than the requested width.
     Code,
 }
 
-/// A line, without the blanks at its end.
+/// A laid-out line of a topic. Only folded code has trailing blanks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct ManualLine {
     pub(crate) kind: LineKind,
     pub(crate) text: String,
-    /// Whether it goes on with the line before: with its next word, or as code right behind it. What begins is a
-    /// paragraph, a row of a table or a line of code.
+    /// Whether the line continues the one before it: prose with its next word, code without a blank in between. Any
+    /// other line begins a paragraph, a table row or a line of code.
     pub(crate) goes_on: bool,
 }
 
-/// Longer lines of words are no pleasure to read.
+/// Maximum width of prose, in characters; longer lines are hard to read.
 const MAX_WIDTH: usize = 100;
-/// Narrower than this no table and no word has room.
+/// Minimum width, in characters; tables and long words do not fit into less.
 const MIN_WIDTH: usize = 30;
-/// Blanks before what is shown as it stands, where there is room for them.
+/// Indentation of code, in blanks; less if the code would not fit.
 const CODE: usize = 4;
-/// Code of more characters than this may be broken between its words.
+/// Maximum length, in bytes, of inline code that is never broken; longer code is broken between its words.
 pub(super) const TOGETHER: usize = 22;
-/// Stands for a blank at which no line is broken.
+/// Placeholder for a blank at which a line must not be broken.
 const TIED: char = '\u{1}';
 
-/// The text in lines of at most so many characters, however wide the screen is.
+/// Lays out a Markdown text in lines of at most `width` characters, clamped to the range from [`MIN_WIDTH`] to
+/// [`MAX_WIDTH`].
 pub(crate) fn lines(text: &str, width: usize) -> Vec<ManualLine> {
     let mut lines: Vec<ManualLine> = Vec::new();
     for block in blocks(text) {
@@ -67,7 +68,7 @@ fn laid_out(block: &MarkdownBlock<'_>, width: usize) -> Vec<ManualLine> {
     indented.collect()
 }
 
-/// The words behind their mark.
+/// Lays out a list item: a dash, and an indentation of the lines after the first.
 fn item(text: &str, width: usize) -> Vec<String> {
     let lines = broken(&plain(text), width - 2).into_iter();
     let marks = std::iter::once("- ").chain(std::iter::repeat("  "));
@@ -77,6 +78,7 @@ fn item(text: &str, width: usize) -> Vec<String> {
         .collect()
 }
 
+/// Returns code verbatim, indented as far as `width` permits.
 fn as_it_stands(code: &[&str], width: usize) -> Vec<ManualLine> {
     let widest = code.iter().map(|line| line.chars().count()).max();
     let indent = CODE.min(width.saturating_sub(widest.unwrap_or(0)));
@@ -84,7 +86,7 @@ fn as_it_stands(code: &[&str], width: usize) -> Vec<ManualLine> {
     indented.map(|code| line(LineKind::Code, &code)).collect()
 }
 
-/// Words in lines of at most so many characters; short code stays together.
+/// Breaks words into lines of at most `width` characters; short code stays on one line.
 pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
     let pieces = text.split('`').enumerate();
     let tied = pieces.map(|(i, piece)| match i % 2 == 1 && piece.len() <= TOGETHER {
@@ -96,13 +98,13 @@ pub(super) fn broken(text: &str, width: usize) -> Vec<String> {
     lines.map(|line| line.replace(TIED, " ")).collect()
 }
 
-/// Without the marks of what is to be bold, and of a bar within a table; those of code stay, for a terminal has no
-/// other.
+/// Removes the Markdown of bold words and of escaped bars in tables. Backquotes stay, because a terminal has no other
+/// mark for code.
 pub(crate) fn plain(text: &str) -> String {
     text.replace("**", "").replace(r"\|", "|")
 }
 
-/// A line that goes on with nothing.
+/// Creates a line that does not continue the one before it.
 pub(super) fn line(kind: LineKind, text: &str) -> ManualLine {
     ManualLine {
         kind,
@@ -111,7 +113,7 @@ pub(super) fn line(kind: LineKind, text: &str) -> ManualLine {
     }
 }
 
-/// Lines of which each goes on with the one before.
+/// Creates the lines of a passage: each continues the one before it.
 fn passage(kind: LineKind, lines: Vec<String>) -> Vec<ManualLine> {
     let lines = lines.iter().enumerate().map(|(number, text)| ManualLine {
         goes_on: number > 0,

@@ -1,43 +1,45 @@
-//! As much of Markdown as the manual is written in: headings, paragraphs, lists of one level, tables, and what is
-//! shown as it stands, between fences or indented by four.
+//! Parses the Markdown of the manual: headings, paragraphs, lists of one level, tables and code. Code is fenced or
+//! indented by four blanks.
 
-/// A piece of a text.
+/// A block of a Markdown text.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct MarkdownBlock<'t> {
     pub(super) content: MarkdownContent<'t>,
-    /// Columns that it is indented by: it belongs to an item of a list.
+    /// The indentation in columns; not 0 if the block belongs to a list item.
     pub(super) indent: usize,
-    /// Whether a blank line stands before it.
+    /// Whether a blank line precedes the block.
     pub(super) apart: bool,
 }
 
+/// The content of a block.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum MarkdownContent<'t> {
-    /// A level, from 1 on, and a text.
+    /// The level, counted from 1, and the text.
     Heading(usize, &'t str),
     Paragraph(String),
-    /// A paragraph behind a mark.
+    /// The first paragraph of a list item, without its dash.
     Item(String),
-    /// As it stands.
+    /// Verbatim lines, without the indentation of the block.
     Code(Vec<&'t str>),
     Table(MarkdownTable<'t>),
 }
 
+/// The rows and alignment of a table.
 #[derive(Debug, Default, PartialEq, Eq)]
 pub(super) struct MarkdownTable<'t> {
-    /// Cells as they are written; the first row is the head.
+    /// The cells as Markdown; the first row is the head.
     pub(super) rows: Vec<Vec<&'t str>>,
-    /// Whether a column stands to the right.
+    /// Whether each column is aligned to the right.
     pub(super) right: Vec<bool>,
 }
 
 const FENCE: &str = "```";
-/// Blanks before what belongs to an item.
+/// The indentation of a list item's further lines and blocks.
 const ITEM: &str = "  ";
-/// Blanks before what is shown as it stands.
+/// The indentation of code without fences.
 const CODE: &str = "    ";
 
-/// Takes a text apart.
+/// Splits a Markdown text into blocks.
 pub(super) fn blocks(text: &str) -> Vec<MarkdownBlock<'_>> {
     let mut reader = MarkdownReader::default();
     let mut lines = text.lines();
@@ -59,6 +61,7 @@ pub(super) fn blocks(text: &str) -> Vec<MarkdownBlock<'_>> {
     reader.blocks
 }
 
+/// The blocks read so far, with the indentation of the current line.
 #[derive(Default)]
 struct MarkdownReader<'t> {
     blocks: Vec<MarkdownBlock<'t>>,
@@ -67,7 +70,7 @@ struct MarkdownReader<'t> {
 }
 
 impl<'t> MarkdownReader<'t> {
-    /// The line without the blanks that make it part of an item.
+    /// Sets the indentation, and returns the line without the blanks that make it part of a list item.
     fn within_item(&mut self, line: &'t str) -> &'t str {
         let in_list = self.indent > 0 || matches!(self.last(), Some(MarkdownContent::Item(_)));
         match line.strip_prefix(ITEM).filter(|_| in_list) {
@@ -95,7 +98,7 @@ impl<'t> MarkdownReader<'t> {
         self.apart = false;
     }
 
-    /// A line that is no fence: it goes on with the block before, or begins one.
+    /// Reads a line outside a fence: it continues the current block or begins a new one.
     fn line(&mut self, line: &'t str) {
         if let Some(code) = line.strip_prefix(CODE) {
             match self.last() {
@@ -143,7 +146,7 @@ impl<'t> MarkdownReader<'t> {
     }
 }
 
-/// The cells of a row: a bar behind a backslash belongs to the text.
+/// Splits a row into its cells; a bar after a backslash belongs to the text.
 fn split(row: &str) -> Vec<&str> {
     let bars = row.match_indices('|').map(|(bar, _)| bar);
     let bars = bars.filter(|&bar| !row[..bar].ends_with('\\'));

@@ -1,7 +1,7 @@
-//! The manual: its topics, a topic as lines of a terminal, and all topics as a web site.
+//! Provides the manual: as Markdown topics, as lines for a terminal, and as a web site.
 //!
-//! A topic is a text in Markdown that is compiled in. `krank help TOPIC` and the workbench show the same; what
-//! stands elsewhere too, as the keys of a scene and the notation, is included from there.
+//! The topics are compiled in. `krank help TOPIC` and the workbench show the same text. Parts with another source are
+//! included from there, such as the keys of a scene and the notation.
 
 #[cfg(feature = "tui")]
 mod fold;
@@ -21,14 +21,14 @@ pub(crate) use layout::{ManualLine, plain};
 pub(crate) use search::{FoundTopic, SearchWords};
 pub(crate) use web::site;
 
-/// Something to read.
+/// A topic of the manual.
 #[derive(Debug)]
 pub(crate) struct Topic {
-    /// In one word, as it is asked for in every language.
+    /// The name in one word, accepted in every language.
     pub(crate) name: &'static str,
-    /// The same in Turkish, as it may be asked for too.
+    /// The Turkish name, accepted in every language too.
     turkish: &'static str,
-    /// In a line, what it tells.
+    /// The description, in one line.
     pub(crate) about: Wording,
     parts: &'static [ManualPart],
 }
@@ -49,7 +49,7 @@ impl ManualPart {
     }
 }
 
-/// The chapter of this name in the folders of the languages; the English of some stands elsewhere too.
+/// Includes the chapter with this file name in each language; its English text may come from another source.
 macro_rules! chapter {
     ($name:literal) => {
         chapter!($name, include_str!(concat!("english/", $name)))
@@ -62,14 +62,14 @@ macro_rules! chapter {
     };
 }
 
-/// The line in whose place the table of the workbench's keys stands.
+/// Placeholder line for the table of the workbench's keys.
 const KEYS: &str = "{keys}\n";
-/// The same for the keys of a scene.
+/// Placeholder line for the reference of the scene file's keys.
 const SCENE_KEYS: &str = "{keys of a scene}\n";
 
 impl Topic {
-    /// The text in Markdown, in the language that is spoken; `keys` makes the rows of the workbench's keys, where they
-    /// are shown.
+    /// Returns the Markdown text in the current language. `keys` writes the table rows of the workbench's keys; it is
+    /// called only if the topic has this table.
     pub(crate) fn text(&self, keys: impl FnOnce() -> String) -> String {
         let language = Language::spoken();
         let text: String = self.parts.iter().map(|part| part.of(language)).collect();
@@ -79,12 +79,12 @@ impl Topic {
 }
 
 impl Topic {
-    /// As the list of the topics tells it: in Turkish with the name that it has there.
+    /// Returns the description for the list of topics; in Turkish it includes the Turkish name.
     pub(crate) fn told(&self) -> String {
         words().topic_told((self.about)(words()), self.turkish)
     }
 
-    /// Its name in the language that is spoken.
+    /// Returns the name in the current language.
     pub(crate) fn called(&self) -> &'static str {
         match Language::spoken() {
             Language::English => self.name,
@@ -92,18 +92,18 @@ impl Topic {
         }
     }
 
-    /// Whether it is asked for by this word.
+    /// Returns `true` if this word is the topic's name, in English or in Turkish.
     fn is_called(&self, word: &str) -> bool {
         word == self.name || spelled(word) == spelled(self.turkish)
     }
 }
 
-/// A word as it is typed where the keyboard has no Turkish letters.
+/// Converts a word to lower case and ASCII letters, as typed on a keyboard without Turkish letters.
 fn spelled(word: &str) -> String {
     with_ascii_letters(word).to_ascii_lowercase()
 }
 
-/// The text with what is to stand in the place of a line.
+/// Replaces the first occurrence of a line by the text that `what` returns.
 fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
     match text.split_once(line) {
         Some((before, behind)) => before.to_owned() + &what() + behind,
@@ -111,7 +111,7 @@ fn filled(text: String, line: &str, what: impl FnOnce() -> String) -> String {
     }
 }
 
-/// All topics, in the order in which one would read them; without the workbench those about it are left out.
+/// All topics in reading order. Topics about the workbench need the feature `tui`.
 pub(crate) const TOPICS: &[Topic] = &[
     Topic {
         name: "tutorial",
@@ -221,12 +221,12 @@ pub(crate) const TOPICS: &[Topic] = &[
     },
 ];
 
-/// The topic of this name, in English or in Turkish.
+/// Returns the topic with this name, in English or in Turkish; `None` if there is none.
 pub(crate) fn find(name: &str) -> Option<&'static Topic> {
     TOPICS.iter().find(|topic| topic.is_called(name))
 }
 
-/// The names of the topics in the language that is spoken, where they have others there.
+/// Returns the translated names of the topics in the current language; none in English.
 pub(crate) fn names_of_language() -> impl Iterator<Item = &'static str> {
     let is_turkish = Language::spoken() == Language::Turkish;
     let topics = TOPICS.iter().filter(move |_| is_turkish);

@@ -8,11 +8,11 @@ use std::cmp::Reverse;
 #[cfg(feature = "tui")]
 const MAX_BEST: usize = 3;
 
-/// A topic in which words were found.
+/// A topic that has the words of a search.
 #[derive(Debug)]
 pub(crate) struct FoundTopic {
     pub(crate) topic: &'static Topic,
-    /// A line of each place.
+    /// One line for each place with the words.
     pub(crate) lines: Vec<String>,
 }
 
@@ -48,7 +48,7 @@ impl SearchWords {
         found
     }
 
-    /// Returns the places in [`TOPICS`] of the first few topics.
+    /// Returns the indices in [`TOPICS`] of the best topics, at most [`MAX_BEST`].
     #[cfg(feature = "tui")]
     pub(crate) fn best_topics(&self) -> Vec<usize> {
         let found = self.in_topics(usize::MAX).into_iter().take(MAX_BEST);
@@ -58,7 +58,7 @@ impl SearchWords {
 
     fn lines_in(&self, topic: &Topic, width: usize) -> Vec<String> {
         let text = topic.text(String::new);
-        // The layout takes longer than this test.
+        // This test is faster than the layout.
         if !self.are_in(&[&plain(&text)]) {
             return Vec::new();
         }

@@ -1,16 +1,16 @@
-//! Tables: in columns where they fit, the widest one wrapped where that helps, and else entry by entry.
+//! Lays out tables: in columns if they fit, if necessary with the widest one wrapped, or else entry by entry.
 
 use super::layout::{LineKind, ManualLine, broken, line, plain};
 use super::markdown::MarkdownTable;
 
 /// Blanks between two columns.
 const GAP: usize = 2;
-/// A column of words narrower than this is no pleasure to read.
+/// Minimum width of a wrapped column, in characters; narrower columns are hard to read.
 const MIN_WIDTH: usize = 24;
-/// Blanks before what is told of an entry.
+/// Indentation of the further cells of an entry, in blanks.
 const INDENT: usize = 4;
 
-/// The table in lines of at most so many characters.
+/// Lays out a table in lines of at most `width` characters.
 pub(super) fn lines(table: &MarkdownTable<'_>, width: usize) -> Vec<ManualLine> {
     let rows = table.rows.iter().map(|cells| ManualRow::new(cells));
     let rows: Vec<ManualRow> = rows.collect();
@@ -21,10 +21,10 @@ pub(super) fn lines(table: &MarkdownTable<'_>, width: usize) -> Vec<ManualLine> 
     }
 }
 
-/// Cells as they are shown.
+/// The cells of a row without Markdown for bold words.
 struct ManualRow {
     cells: Vec<String>,
-    /// Whether it begins a group of rows.
+    /// Whether the row begins a group of rows: its first cell is bold.
     opens: bool,
 }
 
@@ -49,7 +49,7 @@ impl ManualRow {
     }
 }
 
-/// How wide each column is by itself; the name of a group has its line alone.
+/// Returns the width of each column's longest cell. Titles of groups do not count, because they have their own line.
 fn widths(rows: &[ManualRow]) -> Vec<usize> {
     let mut widths: Vec<usize> = Vec::new();
     for row in rows.iter().filter(|row| !is_title(row)) {
@@ -61,15 +61,15 @@ fn widths(rows: &[ManualRow]) -> Vec<usize> {
     widths
 }
 
-/// The first of the widest columns.
+/// Returns the index of the first of the widest columns; 0 if there are none.
 fn widest(widths: &[usize]) -> usize {
     let most = widths.iter().max();
     let first = widths.iter().position(|width| Some(width) == most);
     first.unwrap_or(0)
 }
 
-/// The columns as wide as there is room: the widest is made narrower; `None` where that would make it too
-/// narrow.
+/// Returns the column widths that fit into `width`; if necessary, the widest column shrinks. Returns `None` if it would
+/// be narrower than [`MIN_WIDTH`].
 fn fitting(widths: &[usize], width: usize) -> Option<Vec<usize>> {
     let gaps = GAP * widths.len().saturating_sub(1);
     let used = widths.iter().sum::<usize>() + gaps;
@@ -84,10 +84,12 @@ fn fitting(widths: &[usize], width: usize) -> Option<Vec<usize>> {
     Some(fitting)
 }
 
+/// Returns `true` if a row has only the title of a group.
 fn is_title(row: &ManualRow) -> bool {
     row.opens && row.cells.iter().skip(1).all(String::is_empty)
 }
 
+/// Lays out the rows in columns of these widths, with a blank line before each group.
 fn in_columns(rows: &[ManualRow], right: &[bool], widths: &[usize]) -> Vec<ManualLine> {
     let mut lines = Vec::new();
     for row in rows.iter().filter(|row| !row.is_blank()) {
@@ -120,7 +122,8 @@ fn in_columns(rows: &[ManualRow], right: &[bool], widths: &[usize]) -> Vec<Manua
     lines
 }
 
-/// The first cell, and below it what stands in the others with their head; the widest column speaks for itself.
+/// Lays out each row as an entry: its first cell, and the other cells on indented lines below. The head of the column
+/// labels each of these; the widest column needs no label.
 fn by_entry(rows: &[ManualRow], widest: usize, width: usize) -> Vec<ManualLine> {
     let Some((head, rows)) = rows.split_first() else {
         return Vec::new();

@@ -1,13 +1,13 @@
-//! Every topic is plain, whole and the same in every language.
+//! Tests that each topic is plain text, complete and equal in all languages.
 
 mod languages;
 
 use super::*;
 
-/// The narrowest screen of the workbench, a terminal, and a wide one.
+/// Widths of the workbench's narrowest screen, of a usual terminal and of a wide one.
 const WIDTHS: [usize; 3] = [40, 80, 100];
 
-/// Every topic, as it is read in each language.
+/// Returns the name and text of each topic in each language.
 fn texts() -> Vec<(String, String)> {
     let texts = Language::ALL.into_iter().flat_map(|language| {
         language.speak();
@@ -34,8 +34,8 @@ fn topics_are_plain() {
     }
 }
 
-/// The words of a text, sorted: tables change the order of theirs. Rules of tables, fences and marks of
-/// headings are none.
+/// Returns the words of a text, sorted because tables change their order. Rules of tables, fences and
+/// marks of headings do not count as words.
 fn words(text: &str) -> Vec<String> {
     let pieces = text.split(|c: char| c.is_whitespace() || c == '|');
     let bare = pieces.map(|word| word.replace("**", "").trim_matches(['#', ':']).to_owned());
@@ -45,7 +45,7 @@ fn words(text: &str) -> Vec<String> {
     words
 }
 
-/// The words in the heads of tables.
+/// Returns the words in the heads of tables.
 fn heads(text: &str) -> Vec<String> {
     let lines: Vec<&str> = text.lines().collect();
     let heads = lines.windows(2).filter(|pair| pair[1].starts_with("|---"));
@@ -91,7 +91,7 @@ fn no_word_is_lost() {
         for width in WIDTHS {
             let shown: Vec<String> = lines(&text, width).into_iter().map(|l| l.text).collect();
             let mut shown = words(&shown.join("\n"));
-            // The head of a column may be told at each of its cells, or not at all.
+            // The head of a column may be repeated at each of its cells, or omitted.
             let heads = heads(&text);
             let mut lost = words(&text);
             lost.retain(|word| match shown.binary_search(word) {

@@ -27,7 +27,7 @@ pub(crate) fn site(keys: fn() -> String) -> Vec<(String, String)> {
         let mut sections = Vec::new();
         let content = content(&blocks(&topic.text(keys)), &mut sections);
         for section in &sections {
-            // Rust's debug format of a string is also a string of JavaScript.
+            // The debug format of a Rust string is also a valid JavaScript string.
             let entry = [
                 &file(topic),
                 &title(topic),

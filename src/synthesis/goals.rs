@@ -1,4 +1,4 @@
-//! The task of a candidate as goals on its scene: what has to be kept where its numbers change.
+//! Writes a candidate's task as goals on its scene, to be kept while parameters of the scene change.
 
 use super::functions::FunctionRun;
 use super::machine::has_figures;
@@ -6,22 +6,28 @@ use super::{Candidate, Output, Partner, PathTask, Proposal, Task, TaskKind};
 use crate::Vec2;
 use crate::angle::{degrees, unit};
 
-/// What the led point of a path may come to lie beside a point, as a part of the task's size, where it misses by less.
+/// Minimum tolerance between the led point and a path point, relative to the task's size. It applies if the candidate
+/// misses its points by less.
 const NEAR: f64 = 2e-3;
 
-/// A task in the words of its scene.
+/// A task as varied parameters and goals of a scene.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneGoals {
-    /// The parameters that nothing in the task gives.
+    /// The parameters that the task leaves free.
     pub vary: Vec<&'static str>,
-    /// Goals of figures of the whole motion, as `P.x@60 = 120`, in degrees and in lengths of the task.
+    /// Goals over the whole motion, such as `P.x@60 = 120`, in degrees and in lengths of the task.
     pub keep: Vec<String>,
 }
 
 impl SceneGoals {
-    /// Of a candidate's scene. A body comes to its poses, and an output to its pairs, at the crank's angles at which this
-    /// linkage does; the led point of a path to within a little of each point, at any angle where that is free. `None` where
-    /// the points are too many to be named one by one, or not all are come to.
+    /// Creates the goals for a candidate's scene.
+    ///
+    /// A body must have its poses, and an output its values, at the crank angles of this candidate. The led point of a
+    /// path must pass each point within a tolerance slightly above the candidate's largest miss. If the task leaves the
+    /// crank angles free, it may do so at any angle.
+    ///
+    /// Returns `None` if the task has too many points to name each one, if the candidate does not reach all of them, or
+    /// if the output of a function cannot be computed.
     #[must_use]
     pub fn of(task: &Task, candidate: &Candidate) -> Option<SceneGoals> {
         let is_told = candidate.at.len() == task.points() && has_figures(task);
@@ -65,13 +71,14 @@ impl SceneGoals {
     }
 }
 
-/// Rounded up to two digits.
+/// Rounds a miss up to two significant digits. The added 5 % outweigh a rounding to a smaller value.
 fn near(miss: f64) -> f64 {
     let rounded = format!("{:.1e}", 1.05 * miss);
     rounded.parse().unwrap_or(miss)
 }
 
-/// What the scene tells of its output at a point: the direction from C to D, or how far C has come along its guide.
+/// Returns the scene's output at a point of the task: the direction from C to D, in degrees, or the displacement of C
+/// along its guide from the first point. Returns `None` if the proposal does not have the point.
 fn output_at(proposal: &Proposal, point: usize) -> Option<f64> {
     let [_, c] = *proposal.places.get(point)?;
     Some(match proposal.partner {
@@ -83,7 +90,8 @@ fn output_at(proposal: &Proposal, point: usize) -> Option<f64> {
     })
 }
 
-/// The parameters that the task leaves free: no pivot that is given, and of a function, whose place is given, the lengths.
+/// Returns the parameters that the task leaves free. Given pivots are fixed. For a function, the pivots and the guide
+/// are given, and only the lengths are free.
 fn free(task: &Task, proposal: &Proposal) -> Vec<&'static str> {
     let mut free = vec!["crank", "coupler"];
     let is_rocker = matches!(proposal.partner, Partner::Rocker(_));
@@ -101,7 +109,7 @@ fn free(task: &Task, proposal: &Proposal) -> Vec<&'static str> {
     match proposal.partner {
         Partner::Rocker(d) if pivots.contains(&d) => {}
         Partner::Rocker(_) => free.extend(["dx", "dy"]),
-        // A guide is moved across itself; along it nothing changes.
+        // Only a displacement normal to the guide changes the linkage.
         Partner::Slide(angle) => {
             let across = unit(angle).perp();
             let by = if across.x.abs() > across.y.abs() {

@@ -6,30 +6,36 @@ use crate::angle::{degrees, unit};
 use crate::scene::toml_string;
 use std::fmt::{Arguments, Write as _};
 
-/// Points of a task that are figures of its scene.
+/// Maximum number of task points for which the scene defines figures.
 const MAX_FIGURES: usize = 24;
 
-/// What is said of a scene beside its numbers.
+/// The header of a scene: comments, titles, unit and tolerance.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SceneTitles {
-    /// The title.
+    /// The title; not written if empty.
     pub name: String,
-    /// Where it comes from.
+    /// The source of the linkage; not written if empty.
     pub source: String,
-    /// What is told of these very numbers, line by line: it stands in comments, so that nothing reads it as being of others.
+    /// Lines about the numbers in the file. They are written as TOML comments, so that no program applies them to
+    /// changed numbers.
     pub comments: Vec<String>,
-    /// The unit of lengths, as scenes write it.
+    /// The unit of lengths, in the notation of scene files; not written if empty.
     pub unit: String,
-    /// How far each length may be off; nothing where that is left open.
+    /// The tolerance of each length, in the unit of lengths; `None` if unspecified.
     pub tolerance: Option<f64>,
 }
 
-/// The text of the scene: crank `r2` from A to B, coupler `r3` from B to C, and rocker `r4` from C to D or slide `r4`; its
-/// lengths, pivots and led point are parameters. P is the point that is led, and comes to the task's points T1, T2 ... on
-/// the ground, from which it is the figure `miss1`, `miss2` ... away; of poses X lies on the body's x axis beside P, and
-/// comes to X1, X2 ..., and the figure `body` is the direction of that axis. It opens at the first point.
+/// Returns the scene file of a proposal, opened at the first point of its task.
 ///
-/// `None` where the proposal has no place at all.
+/// The crank `r2` joins A and B, and the coupler `r3` joins B and C. `r4` is a rocker from C to D or a slide at C. The
+/// lengths, pivots and led point are parameters.
+///
+/// P is the led point. The task's points are the marks T1, T2 ... on the ground. The figures `miss1`, `miss2` ... are
+/// the distances of P from them. For poses, X is a second point on the body's x axis, half the coupler's length from P.
+/// Its wanted positions are the marks X1, X2 ..., and the figure `body` is the direction of the axis. A task with more
+/// than 24 points has no figures.
+///
+/// Returns `None` if the proposal has no positions.
 #[must_use]
 pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Option<String> {
     let [b, c] = *proposal.places.first()?;
@@ -121,11 +127,13 @@ pub fn scene_text(proposal: &Proposal, task: &Task, titles: &SceneTitles) -> Opt
     Some(text)
 }
 
-/// Whether each point of a task is a figure of its scene: of many points nobody reads them one by one.
+/// Returns `true` if the scene has figures for the points of a task. Nobody reads the figures of many points one by
+/// one.
 pub(super) fn has_figures(task: &Task) -> bool {
     task.points() <= MAX_FIGURES
 }
 
+/// Formats the comments and keys before the first table of a scene.
 fn heading(titles: &SceneTitles) -> String {
     let mut text = String::new();
     for comment in &titles.comments {
@@ -153,15 +161,16 @@ fn heading(titles: &SceneTitles) -> String {
     text
 }
 
-/// What of a task can be seen: where the led point is to come, and of poses where a point on the body's x axis.
+/// The visible marks of a task: the wanted positions of the led point and, for poses, of a point on the body's x axis.
 struct TaskMarks {
+    /// The name and position of each mark; empty for a function.
     on_ground: Vec<(String, Vec2)>,
-    /// From the led point to the one on the x axis, in the first pose.
+    /// The vector from the led point to the point on the x axis, in the first pose; `None` except for poses.
     axis: Option<Vec2>,
 }
 
 impl TaskMarks {
-    /// `arm` is how far the point on the x axis lies from the led one.
+    /// Creates the marks of a task. `arm` is the distance of the point on the x axis from the led point.
     fn of(task: &Task, arm: f64) -> TaskMarks {
         let named = |letter: char, places: &mut dyn Iterator<Item = Vec2>| -> Vec<(String, Vec2)> {
             let numbered = (1..).zip(places);
@@ -189,6 +198,7 @@ impl TaskMarks {
     }
 }
 
+/// Formats a vector as a TOML array with the shortest decimals that parse to the same values.
 fn pair(v: Vec2) -> String {
     format!("[{:?}, {:?}]", v.x, v.y)
 }

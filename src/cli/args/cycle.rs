@@ -1,4 +1,4 @@
-//! Figures over the whole motion.
+//! Arguments of `krank cycle`, which lists values over the whole motion.
 
 use super::{CsvArgs, OutputArgs, OutputFormat, SceneArgs};
 use crate::cli::args::motor::positive;

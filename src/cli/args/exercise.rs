@@ -1,4 +1,4 @@
-//! Exercises, and their grading.
+//! Arguments of `krank exercise` and `krank grade`.
 
 use super::{AssemblyArgs, CsvArgs, OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::ReportFormat;

@@ -1,4 +1,4 @@
-//! Scripts.
+//! Arguments of `krank export`, which writes scripts.
 
 use super::{OutputArgs, SceneArgs};
 use crate::handover::ScriptLanguage;

@@ -1,4 +1,4 @@
-//! Figures: at one place, row by row, and how exact they are.
+//! Arguments of the commands that list values, and of `krank accuracy`.
 
 use super::{AssemblyArgs, CsvArgs, OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::{Guess, PositionMethod, WorkingNotation, WrittenDecimal};
@@ -144,7 +144,7 @@ pub(in crate::cli) struct SweepArgs {
     pub(in crate::cli) output: OutputArgs,
 }
 
-/// More positions take minutes and find no larger error.
+/// Maximum number of positions; more take minutes and find no larger error.
 const MAX_POSITIONS: i64 = 1_000_000;
 
 #[derive(Debug, Args)]

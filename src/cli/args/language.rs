@@ -1,4 +1,4 @@
-//! The language of what is said.
+//! The argument `--language`.
 
 use crate::wording::{Language, words};
 use clap::ValueEnum;
@@ -16,7 +16,7 @@ pub(in crate::cli) enum LanguageChoice {
 }
 
 impl LanguageChoice {
-    /// The language that is asked for, if one is.
+    /// Returns the requested language; `None` for `auto`.
     pub(in crate::cli) fn asked(self) -> Option<Language> {
         match self {
             LanguageChoice::Auto => None,

@@ -1,4 +1,4 @@
-//! The command line as its users write it.
+//! Defines the command line: its commands, arguments and options.
 
 mod cycle;
 mod exercise;
@@ -40,7 +40,7 @@ use crate::wording::words;
 use clap::{Arg, ArgAction, Args, Parser, Subcommand, ValueEnum, ValueHint};
 use std::path::PathBuf;
 
-/// What stands below the help: the keys that one cannot do without, where there is a workbench, and examples.
+/// Returns the text after the options in `--help`: examples, after the essential keys if there is a workbench.
 fn behind_help() -> String {
     let keys = match cfg!(feature = "tui") {
         true => words().keys_of_workbench(),
@@ -207,7 +207,7 @@ pub(super) struct PlaceArgs {
 }
 
 impl PlaceArgs {
-    /// The driver's coordinate as it was typed.
+    /// Returns the typed driver coordinate; `None` if there is none.
     pub(super) fn typed(&self) -> Option<f64> {
         self.at.map(|at| at.value())
     }

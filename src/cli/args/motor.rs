@@ -1,4 +1,4 @@
-//! The motor over a cycle.
+//! Arguments of `krank motor`, which analyses the motor over a cycle.
 
 use super::{CsvArgs, OutputArgs, OutputFormat, SceneArgs};
 use crate::scene::with_point;

@@ -1,4 +1,4 @@
-//! Drawings and plots.
+//! Arguments of `krank draw` and `krank plot`.
 
 use super::{BandChoice, OutputArgs, PlaceArgs, SceneArgs};
 use crate::cli::draw::{DrawFormat, FORMATS};
@@ -31,7 +31,7 @@ pub(in crate::cli) enum GlyphChoice {
 }
 
 impl GlyphChoice {
-    /// The characters that are asked for, if any are.
+    /// Returns the requested characters; `None` for `auto`.
     pub(in crate::cli) fn asked(self) -> Option<Glyphs> {
         match self {
             GlyphChoice::Auto => None,
@@ -62,7 +62,7 @@ pub(in crate::cli) struct Size {
     pub(in crate::cli) rows: u16,
 }
 
-/// Nobody looks at more characters than this; memory is for something else.
+/// Maximum number of columns or rows; larger pictures only waste memory.
 const MAX_SIDE: u16 = 2000;
 
 impl FromStr for Size {
@@ -81,12 +81,12 @@ impl FromStr for Size {
     }
 }
 
-/// How large a drawing is on paper: `1:2` is half as large as the linkage.
+/// The scale of a drawing on paper: `1:2` is half as large as the linkage.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::cli) struct PaperScale(f64);
 
 impl PaperScale {
-    /// The length on paper for a length of the linkage.
+    /// Returns the ratio of lengths on paper to lengths of the linkage.
     pub(in crate::cli) fn factor(self) -> f64 {
         self.0
     }
@@ -111,15 +111,15 @@ impl FromStr for PaperScale {
     }
 }
 
-/// Nothing is drawn so much larger or smaller: ISO 5455 ends at 1:10000.
+/// Maximum enlargement and reduction: the scales of ISO 5455 end at 1:10000.
 const MAX_SCALE: f64 = 10_000.0;
 
-/// More positions would hide each other.
+/// Maximum number of ghosts; more would hide each other.
 const MAX_GHOSTS: i64 = 360;
 
-/// No screen is wider.
+/// Maximum width of an image, in pixels; screens are not wider.
 const MAX_PIXELS: i64 = 8192;
-/// Nobody watches a turn for longer.
+/// Maximum duration of a turn, in seconds; nobody watches it for longer.
 const MAX_SECONDS: i64 = 60;
 
 #[derive(Debug, Args)]
@@ -177,7 +177,7 @@ pub(in crate::cli) struct DrawArgs {
     pub(in crate::cli) output: OutputArgs,
 }
 
-/// How a drawing is written: the formats tell it themselves.
+/// The values of `--format` are the names and descriptions of the formats.
 impl ValueEnum for &'static DrawFormat {
     fn value_variants<'a>() -> &'a [Self] {
         &FORMATS

@@ -1,4 +1,4 @@
-//! The report.
+//! Arguments of `krank report`.
 
 use super::{OutputArgs, PlaceArgs, SceneArgs};
 use crate::report::{ReportFormat, WorkingNotation};
@@ -29,7 +29,7 @@ pub(in crate::cli) struct ReportArgs {
     pub(in crate::cli) output: OutputArgs,
 }
 
-/// How a report is written: the formats tell it themselves.
+/// The values of `--format`, with translated descriptions.
 impl ValueEnum for ReportFormat {
     fn value_variants<'a>() -> &'a [Self] {
         &ReportFormat::ALL
@@ -46,7 +46,7 @@ impl ValueEnum for ReportFormat {
     }
 }
 
-/// How the working calls unit vectors.
+/// The values of `--notation`: the notation of unit vectors in the working.
 impl ValueEnum for WorkingNotation {
     fn value_variants<'a>() -> &'a [Self] {
         &[WorkingNotation::Lecture, WorkingNotation::Krank]

@@ -1,4 +1,4 @@
-//! Goals, and the best design.
+//! Arguments of `krank solve`, which searches for the best design.
 
 use super::{OutputArgs, SceneArgs};
 use crate::study::PlanAxis;

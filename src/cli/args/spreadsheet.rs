@@ -1,4 +1,4 @@
-//! Comma separated values for a spreadsheet.
+//! Options for CSV output: the decimal mark and the separator of cells.
 
 use super::OutputFormat;
 use crate::cli::failure::Failure;
@@ -19,7 +19,11 @@ pub(in crate::cli) struct CsvArgs {
 }
 
 impl CsvArgs {
-    /// The way that is meant, of what is written in this format.
+    /// Returns the requested CSV dialect.
+    ///
+    /// # Errors
+    /// Returns a usage error if an option is given although `format` is not CSV. Returns a usage error if the decimal
+    /// mark and the separator are both a comma.
     pub(in crate::cli) fn dialect(self, format: OutputFormat) -> Result<CsvDialect, Failure> {
         let asked = [
             self.decimal.map(|_| "--decimal"),

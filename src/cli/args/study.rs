@@ -1,4 +1,4 @@
-//! Many designs.
+//! Arguments of `krank study`, which compares many designs.
 
 use super::motor::positive;
 use super::{CsvArgs, GlyphChoice, OutputArgs, SceneArgs, Size};
@@ -22,7 +22,7 @@ pub(in crate::cli) enum StudyFormat {
     Svg,
 }
 
-/// One of so many parts, counted from 1.
+/// A part of a study, such as `1/4`; parts are counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::cli) struct StudyPart {
     number: u64,
@@ -30,7 +30,7 @@ pub(in crate::cli) struct StudyPart {
 }
 
 impl StudyPart {
-    /// The designs of the part; all parts together have each once.
+    /// Returns the range of the part's designs. Each of the `count` designs belongs to exactly one part.
     pub(in crate::cli) fn of(self, count: u64) -> Range<u64> {
         let end = |part: u64| {
             let end = u128::from(count) * u128::from(part) / u128::from(self.of);
@@ -53,7 +53,7 @@ impl FromStr for StudyPart {
     }
 }
 
-/// More threads than that no machine has.
+/// Maximum number of threads, more than any machine has.
 const MAX_THREADS: i64 = 1024;
 
 #[derive(Debug, Args)]
@@ -106,7 +106,7 @@ pub(in crate::cli) struct StudyArgs {
 }
 
 impl StudyArgs {
-    /// Whether it is a picture.
+    /// Returns `true` if the output is a picture.
     pub(in crate::cli) fn is_drawn(&self) -> bool {
         matches!(self.format, StudyFormat::Chart | StudyFormat::Svg)
     }

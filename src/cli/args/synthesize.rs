@@ -1,4 +1,4 @@
-//! From a motion that is wanted to linkages.
+//! Arguments of `krank synthesize`, which finds linkages for a wanted motion.
 
 use super::{CsvArgs, OutputFormat};
 use crate::synthesis::SynthesisSettings;

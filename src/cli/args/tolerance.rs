@@ -1,4 +1,4 @@
-//! Lengths that are off and loose pins.
+//! Arguments of `krank tolerance`: length errors and clearance in pins.
 
 use super::{CsvArgs, OutputArgs, OutputFormat, SceneArgs};
 use crate::report::WrittenDecimal;
@@ -43,7 +43,7 @@ impl BandChoice {
     }
 }
 
-/// More machines take memory and tell no more.
+/// Maximum number of samples; more take memory and add no information.
 const MAX_SAMPLES: i64 = 10_000_000;
 
 #[derive(Debug, Args)]

@@ -1,4 +1,4 @@
-//! How the workbench opens.
+//! Arguments of the workbench.
 
 use super::AssemblyArgs;
 #[cfg(feature = "tui")]
@@ -13,7 +13,7 @@ use clap::Args;
 use clap::{ValueEnum, builder::PossibleValue};
 use std::path::PathBuf;
 
-/// The scene that opens where none is named.
+/// The scene that opens if the command line names none.
 pub(in crate::cli) const USUAL_SCENE: &str = "four-bar";
 
 /// The workbench, which opens where no command is given.

@@ -53,7 +53,7 @@ fn shares(count: f64) -> impl Iterator<Item = f64> {
 mod tests {
     use super::*;
 
-    /// What is played in a circle must not jump where it begins again.
+    /// An animation that loops must not jump at its start.
     #[test]
     fn a_turn_ends_where_it_began_and_never_jumps() {
         for (range, from, count, step) in [

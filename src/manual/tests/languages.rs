@@ -1,10 +1,10 @@
-//! The chapters tell the same in each language: heading for heading the same commands, code, figures and tables.
+//! Tests that the chapters of all languages have the same commands, code, numbers and tables below each heading.
 
 use super::*;
 use crate::wording::words;
 use std::collections::BTreeSet;
 
-/// What a screen says, and so its chapter.
+/// Texts of screens that are translated although chapters quote them as code: English and Turkish.
 const SCREENS: [(&str, &str); 5] = [
     ("at", "yer"),
     (
@@ -16,46 +16,46 @@ const SCREENS: [(&str, &str); 5] = [
     ("turns fully", "tam döner"),
 ];
 
-/// Words that a sentence in English has, and none in Turkish.
+/// Words of English sentences that never occur in Turkish ones.
 const ENGLISH: [&str; 23] = [
     "and", "are", "be", "by", "each", "for", "from", "has", "have", "is", "its", "of", "or",
     "that", "the", "their", "these", "to", "what", "where", "which", "with", "without",
 ];
 
-/// What stands below a heading.
+/// A heading with the content below it.
 #[derive(Debug, Default)]
 struct Section {
     heading: String,
-    /// Paragraphs and items of lists.
+    /// The number of paragraphs and list items.
     passages: usize,
-    /// Rows of tables.
+    /// The number of table rows.
     rows: usize,
-    /// Code of more lines than one, and what it is.
+    /// Fenced code: its language and its lines.
     blocks: Vec<(String, Vec<String>)>,
-    /// Commands that stand by themselves.
+    /// Commands on their own line.
     commands: Vec<String>,
-    /// Everything else, in one line.
+    /// All other text, in one line.
     words: String,
 }
 
 impl Section {
-    /// The level of its heading; 0 of what stands before any.
+    /// Returns the level of the heading; 0 before the first heading.
     fn level(&self) -> usize {
         self.heading.chars().take_while(|c| *c == '#').count()
     }
 
-    /// Code within sentences.
+    /// Returns the inline code.
     fn code(&self) -> BTreeSet<&str> {
         self.words.split('`').skip(1).step_by(2).collect()
     }
 
-    /// Sentences without the code in them.
+    /// Returns the heading and sentences without their inline code.
     fn prose(&self) -> String {
         let pieces: Vec<&str> = self.words.split('`').step_by(2).collect();
         format!("{} {}", self.heading, pieces.join(" ` "))
     }
 
-    /// The figures in its sentences, sorted.
+    /// Returns the numbers in the sentences, sorted.
     fn figures(&self) -> Vec<String> {
         let prose = self.prose();
         let words = prose.split(|c: char| c.is_whitespace() || "()/^|;:'".contains(c));
@@ -65,14 +65,15 @@ impl Section {
     }
 }
 
-/// A word that begins with a digit as its digits, however thousands are parted; what stands behind them is grammar.
+/// Returns the number that a word begins with, without separators of thousands; `None` if it begins with none. Turkish
+/// appends its case endings to numbers.
 fn figure(word: &str) -> Option<String> {
     let word = word.trim_start_matches(['-', '<', '+']);
     word.chars().next().filter(char::is_ascii_digit)?;
     let of_figure = |c: char| c.is_ascii_digit() || ".,e-".contains(c);
     let end = word.find(|c| !of_figure(c)).unwrap_or(word.len());
     let figure = word[..end].trim_end_matches(['.', ',', 'e', '-']);
-    // Two points part thousands, one parts decimals.
+    // Two points separate thousands; a single one is a decimal point.
     let parted = if figure.matches('.').count() > 1 {
         &['.', ','][..]
     } else {
@@ -86,7 +87,7 @@ fn sections(text: &str) -> Vec<Section> {
     let mut lines = text.lines();
     let mut is_apart = true;
     while let Some(line) = lines.next() {
-        // The place of what stands elsewhere.
+        // A placeholder for included text.
         if line.starts_with('{') {
             continue;
         }
@@ -122,7 +123,7 @@ fn sections(text: &str) -> Vec<Section> {
     sections
 }
 
-/// The lines of a file without what is said in it.
+/// Returns the lines of a TOML file without their comments.
 fn uncommented(lines: &[String]) -> Vec<&str> {
     let bare = lines
         .iter()
@@ -151,7 +152,7 @@ fn headings_tables_and_code_are_the_same() {
             assert_eq!(one.blocks.len(), other.blocks.len(), "{place}");
             for ((kind, code), (other_kind, other_code)) in one.blocks.iter().zip(&other.blocks) {
                 assert_eq!(kind, other_kind, "{place}");
-                // What is no file is a screen, which others compare with what is shown.
+                // Other blocks are screens. Other tests compare them with the program's output.
                 if kind == "toml" {
                     assert_eq!(uncommented(code), uncommented(other_code), "{place}");
                 } else {
@@ -200,7 +201,7 @@ fn no_english_is_left() {
     }
 }
 
-/// The words by which English is told are those of its own chapters.
+/// Checks that the English chapters have the words in `ENGLISH`.
 #[test]
 fn english_would_be_found() {
     for (name, [english, _]) in parts() {
@@ -236,7 +237,7 @@ fn topics_are_asked_for_in_both_languages() {
     for topic in TOPICS {
         let ascii = with_ascii_letters(topic.turkish);
         for word in [topic.name, topic.turkish, &ascii, &ascii.to_uppercase()] {
-            // English names are typed as they stand.
+            // Both names are accepted in both languages.
             let found = find(word).map(|found| found.name);
             assert_eq!(found, Some(topic.name), "{word}");
         }

@@ -1,12 +1,14 @@
-//! Where words stand in the manual, however wide the screen is that it is laid out for.
+//! Finds words in the laid-out manual, for any width of the screen.
 
 use super::keys::rows_of;
 use super::page::lines_of;
 use crate::manual::{ManualLine, SearchWords, TOPICS, joined, plain};
 use crate::tui::commands::keymap::Keymap;
 
-/// The next page and line where a passage with these words begins: from a line of a page on, in the pages that follow,
-/// and round to the beginning of the first.
+/// Returns the page and line of the next passage with these words.
+///
+/// Searches from a line of a page, then the following pages, and after the last topic from the first one up to the page
+/// itself. Pages are counted from 1, lines from 0. Returns `None` if no topic has the words.
 pub(super) fn next(
     wanted: &SearchWords,
     (page, line): (usize, usize),
@@ -16,7 +18,7 @@ pub(super) fn next(
     (0..=TOPICS.len()).find_map(|step| {
         let topic = (page - 1 + step) % TOPICS.len();
         let text = plain(&TOPICS[topic].text(|| rows_of(keymap)));
-        // The layout takes longer than this test.
+        // This test is faster than the layout.
         if !wanted.are_in(&[&text]) {
             return None;
         }
@@ -27,7 +29,7 @@ pub(super) fn next(
     })
 }
 
-/// Whether a passage with all words begins in the first of these lines, and not only in one of those behind it.
+/// Returns `true` if a passage with all words begins in the first of these lines, and not only in a later one.
 fn begins(wanted: &SearchWords, lines: &[ManualLine]) -> bool {
     let going_on = lines.iter().skip(1).take_while(|line| line.goes_on);
     let has_all = |lines: &[ManualLine]| wanted.are_in(&[&joined(lines)]);

@@ -1,4 +1,4 @@
-//! The table of actions by what they are for, as the help, the manual and the configuration tell it.
+//! Groups the actions by purpose, for the help, the manual and the configuration file.
 
 use crate::manual::SearchWords;
 use crate::tui::app::View;
@@ -7,8 +7,8 @@ use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::keywords::keywords;
 use crate::wording::words;
 
-/// The rows of the table by what they are for: those of a view alone first, what all views have in common, then
-/// those of the other views.
+/// Returns the titles and actions of all groups: first the actions of the view `first`, then those common to all views,
+/// then those of the other views.
 pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static ActionRow>)> {
     let of = |view: View| {
         let here = move |entry: &&ActionRow| entry.place == KeyContext::In(view);
@@ -29,8 +29,7 @@ pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static Act
         .collect()
 }
 
-/// The keys that are built in and what they do, one row each, for a manual: the group, the keys, the
-/// purpose.
+/// Lists the built-in keys for a manual: the title of the group, the keys and the description of each action.
 pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> {
     groups(None).into_iter().flat_map(|(title, entries)| {
         let row =
@@ -39,7 +38,7 @@ pub fn key_list() -> impl Iterator<Item = (&'static str, String, &'static str)> 
     })
 }
 
-/// The same as rows of a table in Markdown.
+/// Formats the built-in keys and their descriptions as rows of a Markdown table.
 pub(crate) fn key_rows() -> String {
     rows_of(&Keymap::default())
 }
@@ -53,12 +52,12 @@ pub(crate) fn key_rows_about(sought: &SearchWords) -> String {
     })
 }
 
-/// The keys of a keymap and what they do, as rows of a table in Markdown.
+/// Formats the keys of a keymap and their descriptions as rows of a Markdown table.
 pub(super) fn rows_of(keymap: &Keymap) -> String {
     rows_where(keymap, |_| true)
 }
 
-/// Returns the rows of the actions that are wanted.
+/// Formats the rows of the selected actions that have a key.
 fn rows_where(keymap: &Keymap, is_wanted: impl Fn(&ActionRow) -> bool) -> String {
     let mut rows = String::new();
     for (title, entries) in groups(None) {
@@ -66,7 +65,7 @@ fn rows_where(keymap: &Keymap, is_wanted: impl Fn(&ActionRow) -> bool) -> String
         let told = wanted.filter_map(|entry| {
             let keys = keymap.keys(entry.action).iter();
             let keys: Vec<_> = keys.map(|key| format!("`{key}`")).collect();
-            // A bar would part the cells.
+            // An unescaped bar would end the cell.
             let keys = keys.join(" ").replace('|', r"\|");
             (!keys.is_empty()).then(|| format!("| {keys} | {} |\n", (entry.help)(words())))
         });

@@ -1,4 +1,4 @@
-//! The help: the keys by what they are for, over the middle of the view, and behind them the topics of the manual.
+//! Draws the help: a list of the keys by purpose in the middle of the view, or a topic of the manual.
 //!
 //! ```text
 //! +- Help ------------------------+
@@ -25,14 +25,14 @@ use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
-/// Columns of the keys.
+/// Width of the keys, in columns.
 const KEYS: u16 = 13;
 /// Blanks between two columns of lines.
 const GAP: u16 = 2;
-/// More columns than this are no help.
+/// Maximum number of columns of lines; more would be harder to read.
 const MAX_COLUMNS: u16 = 3;
 
-/// What is said where no key was found: which topics of the manual tell of it.
+/// Returns the lines for a search without a result; they name topics of the manual that have the words.
 fn nothing(sought: &str) -> Vec<String> {
     let topics = SearchWords::new(sought).best_topics().into_iter();
     let topics: Vec<&str> = topics.map(|at| TOPICS[at].called()).collect();
@@ -44,10 +44,10 @@ fn nothing(sought: &str) -> Vec<String> {
     vec![none.to_owned(), told, all.to_owned()]
 }
 
-/// Lines of what is said where no key was found.
+/// Number of lines for a search without a result.
 const NOTHING: usize = 3;
 
-/// Columns of a line: of the keys and of the longest that is said of them.
+/// Returns the width of a line: the keys and the longest description.
 fn line_columns() -> u16 {
     let help = entries().map(|entry| columns((entry.help)(words())));
     KEYS + help.max().unwrap_or(0)
@@ -105,7 +105,7 @@ fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
         }
         HelpLine::Keys(keys, help) => {
             let keys = cut(keys, usize::from(KEYS) - 1);
-            // Bold keys would be a third of what the help takes of a slow line.
+            // Bold keys would account for a third of the bytes that the help sends over a slow line.
             print(buffer, x, y, KEYS, &keys, theme::part(ScreenPart::Text));
             let room = line_columns() - KEYS;
             print(
@@ -120,7 +120,7 @@ fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
     }
 }
 
-/// What is searched for, in the upper border; of long words the end is seen.
+/// Prints the searched words in the upper border. If they are too long, prints their end.
 fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer) {
     let room = place.right().saturating_sub(x + 5);
     let skipped = sought.len().saturating_sub(room.into());
@@ -142,7 +142,8 @@ fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer
     print(buffer, x, place.y, 1, " ", theme::part(caret));
 }
 
-/// How to turn to the manual, in the upper border where the last line has no room for it.
+/// Prints the key for the manual in the upper border if the help has a single column. The status line of such a
+/// narrow screen has no space for it.
 fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
     if count(place) == 1
         && let Some(key) = app.keymap().key(Action::NextView)
@@ -153,7 +154,7 @@ fn manual_behind(app: &App, place: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// In the lower border what marks mean, and how to see more.
+/// Prints the meaning of the marks and, if lines are hidden, the key for scrolling, in the lower border.
 fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer) {
     let (y, style) = (place.bottom() - 1, theme::part(ScreenPart::Quiet));
     let inner = popup::within(place);
@@ -168,7 +169,7 @@ fn footer(app: &App, help: &Help, lines: usize, place: Rect, buffer: &mut Buffer
     }
 }
 
-/// What the marks beside figures mean; of digits only where there is room.
+/// Returns the meaning of the marks next to values, and of marked digits if the border is wide.
 fn legend(colours: Colours, wide: bool) -> String {
     let marks = match (wide, colours) {
         (false, _) => words().marks_of_figures(FOUND),
@@ -178,7 +179,7 @@ fn legend(colours: Colours, wide: bool) -> String {
     format!(" {marks} ")
 }
 
-/// Where the box is.
+/// Returns the area of the help on the screen.
 pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
     if help.topic().is_some() {
         return area;
@@ -187,7 +188,7 @@ pub(super) fn placed(app: &App, help: &Help, area: Rect) -> Rect {
     popup::centred(area, width(area), height(area, lines))
 }
 
-/// Lines of the help, and how many are seen.
+/// Returns the number of lines, and how many fit on the screen.
 pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
     if help.topic().is_some() {
         return page::extent(help, area);
@@ -197,7 +198,7 @@ pub(super) fn extent(app: &App, help: &Help, area: Rect) -> (usize, usize) {
     (lines, usize::from(rows) * usize::from(count(area)))
 }
 
-/// Columns of lines for which there is room.
+/// Returns the number of columns of lines that fit into an area, at least 1.
 fn count(area: Rect) -> u16 {
     let room = (area.width + GAP).saturating_sub(BORDER.0);
     (room / (line_columns() + GAP)).clamp(1, MAX_COLUMNS)
@@ -208,7 +209,7 @@ fn width(area: Rect) -> u16 {
     count * line_columns() + (count - 1) * GAP
 }
 
-/// Rows of so many lines; also while a search finds few of them, the words must have their place.
+/// Returns the rows for so many lines. They always suffice for the text of a search without a result.
 fn height(area: Rect, lines: usize) -> u16 {
     let rows = lines.div_ceil(count(area).into()).max(NOTHING);
     u16::try_from(rows).unwrap_or(u16::MAX)

@@ -1,4 +1,4 @@
-//! A topic of the manual, in the place of the view.
+//! Draws a topic of the manual in place of the view.
 //!
 //! ```text
 //!  Help: scene  2/11  /slot     ^v what is shown, what is searched for, where there is more
@@ -19,7 +19,7 @@ use ratatui::layout::Rect;
 
 /// Rows of the heading.
 const HEADING: u16 = 1;
-/// Columns of the marks that there is more above and below. They stand in the heading: code may take whole lines.
+/// Columns of the marks for hidden lines above and below. They are in the heading, because code may fill whole lines.
 const MARKS: u16 = 2;
 
 pub(super) fn render(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
@@ -65,13 +65,14 @@ fn heading(help: &Help, topic: &Topic, area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Lines of the topic, and how many are seen.
+/// Returns the number of lines of the topic, and how many fit on the screen.
 pub(super) fn extent(help: &Help, area: Rect) -> (usize, usize) {
     let rows = area.height.saturating_sub(HEADING);
     (help.reading().len(), rows.into())
 }
 
-/// A topic on a screen of so many columns. On a narrower one than any is shown on it is laid out as on the narrowest.
+/// Lays out a topic for a screen of so many columns. A screen too narrow for any content gets the layout of the
+/// narrowest sufficient one.
 pub(super) fn lines_of(topic: &Topic, columns: u16, keymap: &Keymap) -> Vec<ManualLine> {
     let columns = usize::from(columns.max(MIN_VALUE.width));
     let lines = lines(&topic.text(|| rows_of(keymap)), columns).into_iter();

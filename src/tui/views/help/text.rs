@@ -1,5 +1,4 @@
-//! What the help shows: the keys, and of these what a person searches for; or a topic of the manual, and where in
-//! it one reads.
+//! Keeps the state of the help: the list of keys or a topic of the manual, the scroll position, and the search in them.
 
 use super::keys::groups;
 use super::{finding, page};
@@ -14,46 +13,49 @@ use crate::wording::{Language, words};
 /// The help overlay.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Help {
-    /// Lines that it is scrolled by.
+    /// The scroll position, in lines.
     pub(crate) scroll: usize,
-    /// Whether it lies over the list of candidates, and leads back there.
+    /// Whether the help was opened from the list of candidates, and returns to it when closed.
     pub(crate) over_candidates: bool,
-    /// 0 for the keys; else a topic, by its place in the manual from 1 on.
+    /// 0 for the list of keys, or else the number of a topic in [`TOPICS`], counted from 1.
     page: usize,
+    /// The search; `None` if there is none.
     search: Option<TextSearch>,
-    /// The line of the topic that was found, on a screen of so many columns.
+    /// The matched line of the topic: the columns of its layout, and the line's index in this layout.
     found: Option<(u16, usize)>,
-    /// Whether no topic has the words that are typed.
+    /// Whether the typed words occur in no topic.
     nowhere: bool,
-    /// The topic in lines, and of which page, how many columns and which language they are.
+    /// The laid-out lines of the topic.
     reading: Vec<manual::ManualLine>,
+    /// The page, columns and language of the layout in `reading`.
     laid_out: (usize, u16, Language),
 }
 
-/// What is searched for.
+/// A search in the help.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct TextSearch {
+    /// The searched words.
     line: EditLine,
-    /// Whether keys are typed into the line.
+    /// Whether keys edit the line.
     typing: bool,
-    /// The page and line where one read when the search began, to go back to; `None` once one has read on from what
-    /// was found.
+    /// The page and scroll position when the search began, restored if it fails or ends. `None` once the user reads
+    /// on from a match.
     from: Option<(usize, usize)>,
 }
 
 /// A line of the help.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum HelpLine {
-    /// Between two groups.
+    /// A blank line between two groups.
     Blank,
-    /// What the keys below are for.
+    /// The title of a group of keys.
     Title(&'static str),
-    /// Keys, and what they do.
+    /// Keys, and a description of their action.
     Keys(String, &'static str),
 }
 
 impl Help {
-    /// Over the list of candidates.
+    /// Creates the help over the list of candidates.
     pub(crate) fn over_candidates() -> Help {
         Help {
             over_candidates: true,
@@ -61,7 +63,7 @@ impl Help {
         }
     }
 
-    /// A topic, by its place in the manual, where it tells of words that were sought.
+    /// Opens the topic with this index in [`TOPICS`], at its first passage with the searched words.
     pub(crate) fn telling(topic: usize, words: &str, columns: u16, keymap: &Keymap) -> Help {
         let mut help = Help {
             page: topic + 1,
@@ -76,17 +78,17 @@ impl Help {
         help
     }
 
-    /// The place of the topic in the manual from 1 on; 0 for the keys.
+    /// Returns the number of the topic in the manual, counted from 1; 0 for the list of keys.
     pub(crate) fn page(&self) -> usize {
         self.page
     }
 
-    /// The topic that is shown in the place of the keys.
+    /// Returns the open topic; `None` for the list of keys.
     pub(crate) fn topic(&self) -> Option<&'static Topic> {
         TOPICS.get(self.page.checked_sub(1)?)
     }
 
-    /// Turns to the topic that follows, or to the one before: from the last to the keys.
+    /// Turns to the next topic, or back to the one before. The list of keys follows the last topic. Ends the search.
     pub(crate) fn turn(&mut self, back: bool) {
         let pages = TOPICS.len() + 1;
         let by = if back { pages - 1 } else { 1 };
@@ -94,13 +96,14 @@ impl Help {
         self.show_all();
     }
 
-    /// The line of the topic that was found, on a screen of so many columns.
+    /// Returns the index of the matched line in the layout for so many columns. Returns `None` if there is no match in
+    /// this layout.
     pub(crate) fn found(&self, columns: u16) -> Option<usize> {
         let (of, line) = self.found?;
         (of == columns).then_some(line)
     }
 
-    /// Lays out the topic on a screen of so many columns, unless that is done.
+    /// Lays out the topic for a screen of so many columns, if the last layout does not fit.
     pub(crate) fn lay_out(&mut self, columns: u16, keymap: &Keymap) {
         let wanted = (self.page, columns, Language::spoken());
         if self.laid_out != wanted {
@@ -110,13 +113,15 @@ impl Help {
         }
     }
 
-    /// The topic as it was laid out.
+    /// Returns the laid-out lines of the topic; empty for the list of keys.
     pub(super) fn reading(&self) -> &[manual::ManualLine] {
         &self.reading
     }
 
-    /// Goes to the words that are typed: to the first place from where one read, or to the next one and stays there;
-    /// back to where one read if there is none.
+    /// Jumps to the first passage with the typed words, from the position at which the search began.
+    ///
+    /// If `is_next`, jumps to the passage after the current match instead, and forgets that position. If there is no
+    /// such passage, returns to that position.
     pub(crate) fn seek(&mut self, is_next: bool, columns: u16, keymap: &Keymap) {
         let here = (self.page, self.scroll);
         let found = self.found(columns).filter(|_| is_next);
@@ -139,19 +144,19 @@ impl Help {
         self.nowhere = is_asked && found.is_none();
     }
 
-    /// What is found is read on: the way back is forgotten.
+    /// Forgets the position at which the search began, because the user reads on from the match.
     pub(crate) fn stay(&mut self) {
         if let Some(search) = &mut self.search {
             search.from = None;
         }
     }
 
-    /// Whether no topic has the words that are typed.
+    /// Returns `true` if the typed words occur in no topic.
     pub(crate) fn is_nowhere(&self) -> bool {
         self.nowhere
     }
 
-    /// Ends the search: all keys are shown again, and of a topic what one read before.
+    /// Ends the search. Shows all keys again, or the position in the topic at which the search began.
     pub(crate) fn leave_search(&mut self) {
         let here = (self.page, self.scroll);
         let from = self.search.as_ref().and_then(|search| search.from);
@@ -161,7 +166,7 @@ impl Help {
         }
     }
 
-    /// Begins to search, or goes on with it.
+    /// Starts a search, or continues to edit the words of the current one.
     pub(crate) fn search(&mut self) {
         let line = match self.search.take() {
             Some(search) => search.line,
@@ -174,18 +179,18 @@ impl Help {
         });
     }
 
-    /// The line that is typed into.
+    /// Returns the edited line of the search; `None` if keys are not typed into it.
     pub(crate) fn typed(&mut self) -> Option<&mut EditLine> {
         let search = self.search.as_mut().filter(|search| search.typing)?;
         Some(&mut search.line)
     }
 
-    /// Whether keys are typed.
+    /// Returns `true` if keys edit the words of a search.
     pub(crate) fn is_typing(&self) -> bool {
         self.search.as_ref().is_some_and(|search| search.typing)
     }
 
-    /// Ends the typing: what was found stays.
+    /// Ends the editing of the words and keeps the results; without words, ends the search.
     pub(crate) fn accept(&mut self) {
         match &mut self.search {
             Some(search) if !search.line.text().trim().is_empty() => search.typing = false,
@@ -193,19 +198,19 @@ impl Help {
         }
     }
 
-    /// Shows all keys again. False if it did before.
+    /// Ends the search and scrolls to the top. Returns `false` if there was no search.
     pub(crate) fn show_all(&mut self) -> bool {
         self.scroll = 0;
         (self.found, self.nowhere) = (None, false);
         self.search.take().is_some()
     }
 
-    /// What is searched for.
+    /// Returns the searched words; `None` without a search.
     pub(crate) fn words(&self) -> Option<&str> {
         self.search.as_ref().map(|search| search.line.text())
     }
 
-    /// The lines in a view: none where no key does what is searched for.
+    /// Returns the list of keys for a view; empty if the search matches no action with a key.
     pub(crate) fn lines(&self, view: View, keymap: &Keymap) -> Vec<HelpLine> {
         let wanted = self.words().filter(|text| !text.trim().is_empty());
         let wanted = wanted.map(SearchWords::new);
