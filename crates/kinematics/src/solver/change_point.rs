@@ -122,6 +122,13 @@ impl Passages {
         ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
+    /// How far a coordinate is from the nearest other passage of a group, in radians or scaled lengths.
+    pub(super) fn distance(&self, engine: &Engine, group: usize, at: f64) -> Option<f64> {
+        let others = self.of_group(group).filter(|p| p.at != at);
+        let away = others.map(|p| engine.difference(p.at, at).abs());
+        away.min_by(f64::total_cmp)
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.list.is_empty()
     }

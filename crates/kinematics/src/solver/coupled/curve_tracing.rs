@@ -27,8 +27,8 @@ const ON_CURVE: f64 = 1e-10;
 const NEAR_MISS: f64 = 0.05;
 /// A slide may run away: no joint is followed further than this, in scaled lengths.
 const FAR: f64 = 64.0;
-/// Steps in all, for a group of one unknown; a step of n unknowns counts n^3 times.
-const WORK: usize = 4_000_000;
+/// Matrices that are factored in all, for a group of one unknown; one of n unknowns counts n^3 times.
+const WORK: usize = 20_000_000;
 /// More solutions are not looked for.
 const MAX_COUNT: usize = 256;
 
@@ -104,12 +104,14 @@ impl Tracer<'_> {
         here.miss = 0.0;
         let mut before = f64::INFINITY;
         let mut is_first = true;
-        while step >= MIN_LEN && self.afford() {
+        while step >= MIN_LEN && self.work > 0 {
             let Some(there) = self.advance(row, &here, step) else {
                 step *= 0.5;
                 continue;
             };
-            if there.z.iter().any(|v| v.abs() > FAR) {
+            // Solutions in a row: the group moves although its inputs stand still.
+            let is_free = !is_first && here.miss.abs().max(there.miss.abs()) <= ON_CURVE;
+            if is_free || there.z.iter().any(|v| v.abs() > FAR) {
                 return false;
             }
             let met = if is_first {
@@ -133,12 +135,6 @@ impl Tracer<'_> {
             step = (1.5 * step).min(MAX_LEN);
         }
         false
-    }
-
-    fn afford(&mut self) -> bool {
-        let cost = self.group.unknowns().pow(3);
-        self.work = self.work.saturating_sub(cost);
-        self.work > 0
     }
 
     /// The number of a solution, a new one's too.
@@ -187,6 +183,7 @@ impl Tracer<'_> {
         self.group.shift(room.z, &change);
         let mut strain = None;
         for _ in 0..CORRECTIONS {
+            self.work = self.work.saturating_sub(n.pow(3));
             self.group.residuals(self.q, self.state, &mut room);
             self.group.jacobian(self.q, self.state, &mut room);
             room.matrix[row * n..(row + 1) * n].copy_from_slice(&from.along);
@@ -207,6 +204,7 @@ impl Tracer<'_> {
     /// A place of the curve with its direction, onwards as seen along another.
     fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<CurvePlace> {
         let n = self.group.unknowns();
+        self.work = self.work.saturating_sub(n.pow(3));
         let mut room = self.group.open(self.scratch);
         room.z.copy_from_slice(&z);
         self.group.residuals(self.q, self.state, &mut room);

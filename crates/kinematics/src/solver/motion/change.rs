@@ -111,7 +111,9 @@ impl Walker<'_> {
         let passages = self.passages(junction)?;
         let known = self.passages.len();
         self.passages.add(passages);
-        let Some(beyond) = approaches().find_map(|by| self.pass_at(junction, by)) else {
+        let room = self.room_about(junction);
+        let mut closer = approaches().filter(|&by| by < room);
+        let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
             self.passages.truncate(known);
             return None;
         };
@@ -131,6 +133,14 @@ impl Walker<'_> {
         self.seen.clear();
         self.note(beyond);
         Some(beyond)
+    }
+
+    /// How far it is to the place that a singular group has passed before.
+    fn room_about(&self, junction: &Junction) -> f64 {
+        let groups = junction.groups();
+        let away =
+            groups.filter_map(|group| self.passages.distance(self.engine, group, junction.at.hi));
+        away.fold(f64::INFINITY, f64::min)
     }
 
     /// Passes a place in one step from a distance before to the same beyond, if the series tell where

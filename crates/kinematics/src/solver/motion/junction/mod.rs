@@ -72,6 +72,11 @@ impl Junction {
         self.folds.is_empty()
     }
 
+    /// The groups that are singular.
+    pub(super) fn groups(&self) -> impl Iterator<Item = usize> + '_ {
+        self.folds.iter().map(|f| f.group)
+    }
+
     /// The steps whose group goes on with the other sign.
     pub(super) fn turning(&self) -> impl Iterator<Item = usize> + '_ {
         self.folds.iter().filter(|f| f.turns()).map(|f| f.step)

@@ -3,7 +3,7 @@
 use super::Junction;
 use crate::arithmetic::Series;
 use crate::solver::change_point::Passage;
-use crate::solver::elements::root;
+use crate::solver::elements::{Snap, root};
 use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
 use crate::{Double, Number, Vec2};
@@ -30,6 +30,8 @@ impl Walker<'_> {
                 Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
             // A series tells nothing of what lies behind a knot.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
+            let other = self.passages.distance(engine, fold.group, passage.at);
+            passage.zone = other.map_or(passage.zone, |other| passage.zone.min(0.5 * other));
             (passage.zone > 0.0).then_some(passage)
         });
         let mut passages = passages.collect::<Option<Vec<Passage>>>()?;
@@ -79,21 +81,21 @@ impl Walker<'_> {
         let mut here = engine.state::<Series>(self.state.travels.len());
         for i in 0..steps {
             let fold = junction.folds.binary_search_by_key(&i, |fold| fold.step);
-            let fold = fold.ok().map(|k| &junction.folds[k]);
-            let (Some(fold), Some(dyad)) = (fold, engine.program.steps[i].dyad()) else {
+            let Some(dyad) = engine.program.steps[i].dyad() else {
                 if self.lay(i..i + 1, at.hi, q, direction, &mut here).is_none() {
                     return false;
                 }
                 continue;
             };
-            let square = dyad.square(q, fold.snap, &here);
+            let snap = fold.map_or_else(|_| Snap::default(), |k| junction.folds[k].snap);
+            let square = dyad.square(q, snap, &here);
             if !(square.nearest() > 0.0) {
                 return false;
             }
             let mut misses = [-1.0, 1.0]
                 .map(|side| {
-                    let height = root(square, 0, side * signs[fold.group]);
-                    dyad.run_through(q, fold.snap, height, &mut here.state);
+                    let height = root(square, 0, side * signs[dyad.group()]);
+                    dyad.run_through(q, snap, height, &mut here.state);
                     let told = dyad.placed(&junction.series);
                     told.zip(dyad.placed(&here))
                         .map(|(told, here)| miss(told, here, dq))
