@@ -1,5 +1,5 @@
-//! Change points on the way: which dyad is stretched to an extreme of its reach first, where exactly, and
-//! on beyond it with all that is singular there.
+//! Crosses the change points of dyads: finds the first dyad at an extreme of its reach, its exact
+//! coordinate, and the motion beyond it with all groups that are singular there.
 
 use super::NearMiss;
 use super::junction::{Junction, Standing};
@@ -11,51 +11,55 @@ use crate::solver::elements::{Dyad, REACH_SLACK, StepOutcome, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
-/// A measure this small is a gap of the size of the rounding, squared.
+/// Maximum measure of a gap no larger than a rounding error: the square of the rounding.
 const GAP: f64 = 1e-28;
-/// A change point is passed in one step from this much before it to this much beyond, in radians or
-/// scaled lengths: far enough for the dyad to have digits on both sides.
+/// Half the width of the single step across a change point, in radians or scaled lengths. The dyad
+/// has enough digits at this distance on both sides.
 const PASSING: f64 = 1e-3;
-/// Where links turn too fast for that - an antiparallelogram that is almost a square turns its follower
-/// hundreds of times as fast as its crank, and several of them in a row many times more - closer by.
+/// Ratio between successive half widths, for links that rotate too fast for the widest step. An
+/// almost square antiparallelogram turns its follower hundreds of times as fast as its crank, and
+/// several of them in series turn it many times more.
 const CLOSER: f64 = 0.1;
-/// So often: closest by, the series alone tell where everything is.
+/// Number of half widths. At the smallest one, only the series can locate the points and links.
 const APPROACHES: i32 = 11;
-/// How far beyond a place the other assembly is held against what was set aside, and what is no rounding
-/// of a misfit there.
+/// Distance beyond a change point at which the redundant constraints are checked with the other
+/// assembly.
 const LED: f64 = 1e-4;
+/// Minimum residual at [`LED`] that is not a rounding error.
 const MIN_MISS: f64 = 1e-9;
-/// An extreme of a dyad's stretch belongs to a limit if it is at most this close to it, in radians or scaled
-/// lengths: it is sought from the first of these distances on, each wider than the last.
+/// Distances from a limit, in radians or scaled lengths, within which an extreme of a dyad's
+/// stretch is searched, from the first to the widest. An extreme further away does not belong to
+/// the limit.
 const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
-/// A dyad whose measure is more than this at a limit is not what ends or passes there.
+/// Maximum measure, at a limit, of a dyad that ends the motion or has a change point there.
 const LARGE: f64 = 1e-3;
 
-/// A place ahead at which a dyad is stretched to an extreme of its reach.
+/// The next position at which a dyad reaches an extreme of its stretch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachExtreme {
     pub(super) step: usize,
     pub(super) at: Double,
 }
 
-/// Where two solutions of a coupled group cross.
+/// A crossing of two solutions of a coupled group.
 #[derive(Clone, Debug)]
 pub(super) struct Change {
     pub(super) step: usize,
     /// The driver's coordinate.
     pub(super) at: f64,
-    /// z there, and the rates of z with which the motion comes.
+    /// The unknowns z at the crossing.
     pub(super) z: Vec<f64>,
+    /// The rates of z with which the motion arrives.
     pub(super) rate: Vec<f64>,
 }
 
-/// Distances at which a place is passed, closer and closer.
+/// Returns the half widths of the step across a change point, in decreasing order.
 pub(super) fn approaches() -> impl Iterator<Item = f64> {
     (0..APPROACHES).map(|k| PASSING * CLOSER.powi(k))
 }
 
 impl Walker<'_> {
-    /// Goes on beyond a limit, if it is a change point: the coordinate that was reached.
+    /// Crosses a limit if it is a change point. Returns the coordinate reached beyond it.
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
@@ -66,14 +70,14 @@ impl Walker<'_> {
         if stretched.is_empty() {
             return self.cross(limit);
         }
-        // Those of the plan's first group are sure: what later ones do depends on the side it is on.
+        // Only dyads of the plan's first group are certain: later ones depend on its side.
         stretched.into_iter().find_map(|(step, at)| {
             let at = self.exactly(step, at)?;
             self.pass_extreme(step, at)
         })
     }
 
-    /// Goes on beyond a place at which a dyad's reach is extreme.
+    /// Crosses a position at which a dyad's reach is extreme. Returns the coordinate reached.
     fn pass_extreme(&mut self, step: usize, at: Double) -> Option<f64> {
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
@@ -86,6 +90,7 @@ impl Walker<'_> {
         beyond
     }
 
+    /// Crosses a junction, or steps over it if it is only a near miss.
     fn pass_junction(&mut self, junction: &Junction) -> Option<f64> {
         if junction.is_miss() {
             self.step_over(junction)
@@ -94,7 +99,7 @@ impl Walker<'_> {
         }
     }
 
-    /// Goes on past a near miss: on the side on which the motion came.
+    /// Steps over a near miss; the groups keep their sides. Returns the coordinate reached.
     fn step_over(&mut self, junction: &Junction) -> Option<f64> {
         let beyond = approaches().find_map(|by| self.step_across(junction, by))?;
         for missed in &junction.missed {
@@ -106,7 +111,8 @@ impl Walker<'_> {
         Some(beyond)
     }
 
-    /// Passes a place in one step, from as far before as it can be to the same beyond.
+    /// Crosses a junction in a single step of the largest possible width. Returns the coordinate
+    /// reached, or `None` if no width can be proved.
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
         let passages = self.passages(junction)?;
         let known = self.passages.len();
@@ -135,7 +141,8 @@ impl Walker<'_> {
         Some(beyond)
     }
 
-    /// How far it is to the place that a singular group has passed before.
+    /// Returns the distance to the nearest change point that one of the singular groups has already
+    /// passed.
     fn room_about(&self, junction: &Junction) -> f64 {
         let groups = junction.groups();
         let away =
@@ -143,8 +150,8 @@ impl Walker<'_> {
         away.fold(f64::INFINITY, f64::min)
     }
 
-    /// Passes a place in one step from a distance before to the same beyond, if the series tell where
-    /// everything is at both.
+    /// Crosses a junction in one step of half width `by`, if the series are proved at both ends.
+    /// Returns the coordinate reached.
     fn pass_at(&mut self, junction: &Junction, by: f64) -> Option<f64> {
         let signs = self.state.signs.clone();
         let beyond = self.step_across(junction, by)?;
@@ -157,7 +164,8 @@ impl Walker<'_> {
         proved.then_some(beyond)
     }
 
-    /// Goes from a distance before a place to the same beyond; what is singular there goes on as it does.
+    /// Steps from a distance `by` before a junction to the same distance beyond it. The singular
+    /// groups that turn get the other sign. Returns the coordinate reached.
     fn step_across(&mut self, junction: &Junction, by: f64) -> Option<f64> {
         let engine = self.engine;
         let at = junction.at.hi;
@@ -178,9 +186,9 @@ impl Walker<'_> {
         None
     }
 
-    /// Whether a constraint that was set aside parts from the other assembly of a group at once, beyond a
-    /// place at which both meet: it leads the group through, and the whole is not singular there. The
-    /// state is the one beyond.
+    /// Returns `true` if a redundant constraint fails for the other assembly of a group directly
+    /// beyond its change point. Then the constraint leads the group through, and the whole
+    /// mechanism is not singular there. The state must be the one beyond.
     fn is_led(&mut self, group: usize, at: f64) -> bool {
         let engine = self.engine;
         if engine.program.watches.is_empty() || !engine.program.coupled.is_empty() {
@@ -197,11 +205,12 @@ impl Walker<'_> {
         };
         let misses = (other(LED), other(2.0 * LED));
         self.state = saved;
-        // In proportion to the distance; what only parts with its square is singular as well.
+        // The residual must be proportional to the distance; if it grows with its square, the
+        // constraint is singular as well.
         matches!(misses, (Some(near), Some(far)) if near > MIN_MISS && far < 3.0 * near)
     }
 
-    /// Changes the sign of the group of a step.
+    /// Changes the sign of a step's group.
     pub(super) fn flip(&mut self, step: usize) {
         if let Some(group) = self.engine.group_of(step) {
             let sign = &mut self.state.state.signs[group];
@@ -209,7 +218,8 @@ impl Walker<'_> {
         }
     }
 
-    /// The dyads that are stretched to an extreme of their reach close to a limit, and where.
+    /// Returns the dyads that reach an extreme of their stretch close to a limit, as step and
+    /// coordinate.
     fn stretched(&mut self, limit: f64) -> Vec<(usize, f64)> {
         let flat = self.flat(limit);
         let found = flat
@@ -218,7 +228,8 @@ impl Walker<'_> {
         found.collect()
     }
 
-    /// The dyads that are all but in line at a limit, up to the first that is open there.
+    /// Returns the steps of all dyads almost in line at a limit, up to the first that is open
+    /// there.
     fn flat(&mut self, limit: f64) -> Vec<usize> {
         let engine = self.engine;
         let mut flat = Vec::new();
@@ -234,7 +245,8 @@ impl Walker<'_> {
         flat
     }
 
-    /// Where a dyad's stretch is extreme close to a limit, if its arms are in line there.
+    /// Returns the coordinate close to a limit where a dyad's stretch is extreme, if its arms are
+    /// in line there.
     fn extreme(&mut self, step: usize, limit: f64) -> Option<f64> {
         let group = self.engine.program.steps[step].choice()?;
         let at = EXTREMES.into_iter().find_map(|by| {
@@ -247,7 +259,8 @@ impl Walker<'_> {
         self.is_stretched(step, group, at).then_some(at)
     }
 
-    /// Where a dyad's stretch is extreme between two places at which its rates differ in sign.
+    /// Returns the coordinate where a dyad's stretch is extreme, between two coordinates at which
+    /// its rates have different signs. Each pair holds a coordinate and a rate.
     pub(super) fn most_stretched(
         &mut self,
         step: usize,
@@ -259,13 +272,14 @@ impl Walker<'_> {
         at.ok()
     }
 
-    /// Whether a dyad's arms may be in line, within the rounding of the given lengths and coordinates:
-    /// whether they are is told later. The state must be that of its inputs.
+    /// Returns `true` if a dyad's arms may be in line, within the rounding of the given lengths and
+    /// coordinates. Later steps decide whether they are. The state must be that of the dyad's
+    /// inputs.
     pub(super) fn is_stretched(&mut self, step: usize, group: usize, at: f64) -> bool {
         let engine = self.engine;
         let step = &engine.program.steps[step];
         let placed = engine.place_dyad(step, at, &mut self.state.state);
-        // Equal arms whose pivots meet have no direction, but no gap either.
+        // Equal arms with coinciding pivots have no direction, but no gap either.
         let has_no_gap = self.state.measures[group].abs() <= GAP;
         let (q, _) = engine.coordinate(at);
         let slack = (REACH_SLACK * engine.frame.far).max(2.0 * self.slack());
@@ -274,12 +288,13 @@ impl Walker<'_> {
         placed == StepOutcome::Stretched || has_no_gap || is_rounding
     }
 
-    /// The sign and size of a dyad's rate of stretch; 0 where nothing moves.
+    /// Returns a dyad's rate of stretch, or 0 if nothing moves. Returns `None` if its inputs cannot
+    /// be assembled.
     pub(super) fn stretch_rate(&mut self, step: usize, at: f64) -> Option<f64> {
         Some(self.stretching(step, at)?.rate().unwrap_or(0.0))
     }
 
-    /// How a dyad is being stretched, from its inputs: it may be open itself.
+    /// Returns a dyad's stretching, computed from its inputs. The dyad itself may be open.
     pub(super) fn stretching(&mut self, step: usize, at: f64) -> Option<Stretching> {
         self.aim_at(at);
         let engine = self.engine;

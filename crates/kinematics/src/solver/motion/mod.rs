@@ -28,14 +28,14 @@ use walk::{MAX_TURNS, PUSH_REACH, Walker};
 /// The range that the driver can cover from the scene's assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Range {
-    /// Full turns; the motion repeats after `period` degrees (360 or a multiple).
+    /// Full turns. The motion repeats after `period` degrees, which is 360 or a multiple of it.
     Full {
-        /// In degrees.
+        /// The period, in degrees.
         period: f64,
     },
-    /// Between two limits, in degrees or in the scene's length unit. A slide that could be pushed
-    /// without end is cut off at 64 times the longest length of the scene, a link that does not come round with
-    /// what follows it after 16 turns.
+    /// Between two limits, in degrees or in the scene's length unit. The range of an unlimited
+    /// slide is cut at 64 times the longest length of the scene. The range of a link that never
+    /// returns with its followers to the start is cut after 16 turns.
     Limited {
         /// The lower limit.
         low: f64,
@@ -45,7 +45,7 @@ pub enum Range {
 }
 
 impl Range {
-    /// Its ends: the limits, or 0 and the period.
+    /// Returns the lower and upper end of the range: the two limits, or 0 and the period.
     #[must_use]
     pub fn ends(self) -> (f64, f64) {
         match self {
@@ -54,9 +54,13 @@ impl Range {
         }
     }
 
-    /// The place that a person means by a coordinate outside a limited range: the end that it is but for
-    /// the decimals it was written with, or where the driver `turns`, the one place in the range that is a
-    /// whole number of turns away. `None` where there is no such place, or more than one.
+    /// Returns the coordinate in the range that the user probably meant by `at`, a coordinate
+    /// outside a limited range.
+    ///
+    /// This is an end of the range if `at` equals it within the rounding of its printed decimals.
+    /// If the driver `turns`, it is also the only coordinate in the range that is a whole number of
+    /// turns away. Returns `None` if there is no such coordinate or more than one, if `at` lies in
+    /// the range, and if the range is full.
     #[must_use]
     pub fn meant(self, at: f64, turns: bool) -> Option<f64> {
         let Range::Limited { low, high } = self else {
@@ -71,7 +75,7 @@ impl Range {
             return Some(end);
         }
         let first = ((low - at) / TURN).ceil();
-        // The quotient rounds: the turn before may be the first.
+        // The quotient is rounded: the turn before may be the first.
         let away = [first - 1.0, first, first + 1.0];
         let places = away.map(|away| at + TURN * away);
         let mut within = places.into_iter().filter(|at| covered.contains(at));
@@ -82,19 +86,21 @@ impl Range {
     }
 }
 
-/// Where the two assemblies of a group all but meet: lengths that differ by the square of the sine, as
-/// a part of a link, would make it a change point or a dead point. The motion keeps its assembly.
+/// A coordinate where the two assemblies of a group almost meet.
+///
+/// A change in lengths by the square of the sine, relative to a link, would turn it into a change
+/// point or a dead point. The motion keeps its assembly.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearMiss {
     /// The group.
     pub group: GroupId,
-    /// The sine of its transmission angle, the smallest there is around.
+    /// The sine of the group's transmission angle at this local minimum.
     pub sine: f64,
     /// The driver's coordinate, in degrees or the scene's length unit.
     pub at: f64,
 }
 
-/// An end of the range at which the two assemblies of a group meet, and a passage is not proved.
+/// An end of the range at which the two assemblies of a group meet, without a proved crossing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinedUp {
     /// The group.
@@ -103,53 +109,55 @@ pub struct LinedUp {
     pub at: f64,
 }
 
-/// The whole motion of a mechanism, found once.
+/// The whole motion of a mechanism, computed once.
 #[derive(Clone, Debug)]
 pub struct Motion {
     /// The driver's range.
     pub range: Range,
-    /// The error of the lower and the upper end of the range at most, in degrees or in the scene's length unit:
-    /// zero for an end that no group sets, `None` for one whose error is not proved.
+    /// The maximum errors of the lower and upper end of the range, in degrees or in the scene's
+    /// length unit. The error is zero for an end not set by a group, and `None` if it is not
+    /// proved.
     pub range_bounds: [Option<f64>; 2],
-    /// The ends of the range at which the mechanism cannot go on, in degrees or in the scene's length
-    /// unit: there are two, or none.
+    /// The ends of the range at which the mechanism cannot move further, in degrees or in the
+    /// scene's length unit.
     pub dead_points: Vec<f64>,
-    /// The stops at the ends of the range, in order: those that end the motion.
+    /// The stops that end the motion, in the order of their coordinates.
     pub stops: Vec<EndStop>,
-    /// Where two assemblies meet and the motion passes smoothly, within one period.
+    /// The coordinates where two assemblies meet and the motion passes smoothly, within one period.
     pub change_points: Vec<f64>,
-    /// Where the motion comes close to a change point or a dead point, and passes by.
+    /// The near misses: positions where the motion passes close to a change point or a dead point.
     pub near_misses: Vec<NearMiss>,
-    /// The ends of the range at which assemblies meet, and a passage is not proved.
+    /// The ends of the range at which assemblies meet, without a proved crossing.
     pub lined_up: Vec<LinedUp>,
-    /// By how much lengths may differ that count as equal, where a ground point has coordinates of 15
-    /// digits or more: what these have been rounded by, in the scene's length unit. 0 where all are
-    /// shorter: lengths are equal, then, or they are not.
+    /// The maximum difference of lengths that count as equal, in the scene's length unit. It is the
+    /// rounding error of ground coordinates with 15 digits or more. If all coordinates are shorter,
+    /// it is 0: then lengths are equal only if they are exactly equal.
     pub tolerance: f64,
-    /// The coordinates at which the walk has been.
+    /// The coordinates of the samples.
     pub(super) samples: Vec<f64>,
     pub(super) anchors: Anchors,
     pub(super) passages: Passages,
-    /// How far each watched constraint was from holding at the most, in the solver's unit.
+    /// The largest residual of each watched constraint, in the solver's unit.
     pub(super) misfits: Vec<f64>,
-    /// The range that there would be without stops.
+    /// The range without stops.
     whole: Range,
-    /// The rounding of a coordinate.
+    /// The finest resolution of a coordinate.
     finest: f64,
-    /// Between these no end of the range is near.
+    /// The interval of coordinates that are not close to an end of the range.
     clear: [f64; 2],
     folds: Vec<Folded>,
     stretched: Vec<Stretched>,
 }
 
-/// A limit at which a dyad is stretched.
+/// A limit at which a dyad is stretched to the end of its reach.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stretched {
     pub(super) at: f64,
     pub(super) group: usize,
 }
 
-/// A limit at which a coupled group folds: its own matrix is singular there, so that its state is kept.
+/// A limit at which a coupled group folds. Its state is stored because its matrix is singular
+/// there.
 #[derive(Clone, Debug)]
 pub(super) struct Folded {
     pub(super) at: f64,
@@ -157,35 +165,39 @@ pub(super) struct Folded {
     pub(super) z: Vec<f64>,
 }
 
-/// Two walks find a near miss twice, with this between the coordinates at the most.
+/// Maximum distance between the coordinates of a near miss that is found by both walks.
 pub(super) const ONE_MISS: f64 = 1e-6;
-/// What is lost of a coordinate that is written with 12 decimals.
+/// Rounding error of a coordinate written with 12 decimals.
 const WRITTEN: f64 = 6e-13;
-/// This near to a dead point doubles lose half of their digits and more, in radians or scaled lengths:
-/// there states are found in twice the digits.
+/// Distance from a dead point, in radians or scaled lengths, within which states are computed in
+/// double-double. Doubles lose at least half of their digits there.
 const EDGE: f64 = 1e-6;
 
 impl Motion {
-    /// Whether a coordinate is a dead point: what is named as the end of the range is.
+    /// Returns `true` if a coordinate is exactly a dead point, that is, equal to a stored end of
+    /// the range.
     pub(super) fn is_dead_point(&self, at: f64) -> bool {
         self.dead_points.contains(&at)
     }
 
-    /// Whether a coordinate lies in the range, and no end of it is near.
+    /// Returns `true` if a coordinate lies in the range and is not close to an end of it.
     #[inline]
     pub(super) fn is_clear(&self, at: f64) -> bool {
         self.clear[0] < at && at < self.clear[1]
     }
 
-    /// The group that is stretched to its limit at a coordinate, if that is an end of the range.
+    /// Returns the group stretched to its limit at a coordinate, if that coordinate is an end of
+    /// the range.
     pub(super) fn stretched_at(&self, at: f64) -> Option<usize> {
         let here = self.stretched.iter().find(|s| s.at == at);
         here.map(|stretched| stretched.group)
     }
 
-    /// Coordinates further and further inside the range, if this one is close to an end of it: some ulps
-    /// from a limit all that is left of a group's equations is rounding, and a state may not be found. Where the
-    /// pivots of equal arms meet, a distance gives them a direction.
+    /// Returns coordinates at increasing distances inside the nearest end of the range, all further
+    /// inside than `at`.
+    ///
+    /// Within some ulps of a limit, a group's equations consist of rounding errors only, and no
+    /// state may be found. If the pivots of equal arms coincide, a distance gives them a direction.
     pub(super) fn drawn_back(&self, at: f64) -> impl Iterator<Item = f64> + use<> {
         let (low, high) = match self.whole {
             Range::Full { .. } => (f64::NEG_INFINITY, f64::INFINITY),
@@ -201,12 +213,12 @@ impl Motion {
         draws.filter(move |&drawn| (drawn - at) * inwards > 0.0 && low < drawn && drawn < high)
     }
 
-    /// The fold at a coordinate.
+    /// Returns the fold at a coordinate.
     pub(super) fn fold_at(&self, at: f64) -> Option<&Folded> {
         self.folds.iter().find(|fold| fold.at == at)
     }
 
-    /// Whether the motion from the scene's assembly comes to this coordinate.
+    /// Returns `true` if the motion from the scene's assembly reaches this coordinate.
     pub(super) fn covers(&self, at: f64) -> bool {
         match self.range {
             Range::Full { .. } => at.is_finite(),
@@ -215,13 +227,13 @@ impl Motion {
     }
 }
 
-/// Doublings from one ulp by which a coordinate is drawn back from the end of a range, at the most.
+/// Maximum number of doublings, starting at one ulp, for the distances in [`Motion::drawn_back`].
 const MAX_DRAWS: i32 = 24;
 
-/// Follows the motion from a solved state at `start`.
+/// Tracks the motion from a solved state at `start`.
 ///
 /// # Errors
-/// [`Fault::OverConstrained`] where a constraint that was set aside stops holding.
+/// [`Fault::OverConstrained`] if a watched constraint, which repeats others, stops holding.
 pub(super) fn explore<'e>(
     engine: &'e Engine,
     exact: Option<&'e Exact>,
@@ -293,7 +305,7 @@ pub(super) fn explore<'e>(
     })
 }
 
-/// A range without what is near to its dead points.
+/// Returns the part of a range that is not close to its dead points.
 fn clear(range: Range, dead_points: &[f64], engine: &Engine) -> [f64; 2] {
     let off = |end: f64, inwards: f64| {
         if dead_points.contains(&end) {
@@ -308,7 +320,7 @@ fn clear(range: Range, dead_points: &[f64], engine: &Engine) -> [f64; 2] {
     }
 }
 
-/// The ends of a range, but for those at which the motion was merely followed no further.
+/// Returns the ends of a range except those at which tracking was merely cut.
 fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
     match range {
         Range::Full { .. } => Vec::new(),
@@ -327,8 +339,8 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
     }
 }
 
-/// Each near miss once, by its coordinate. What looks like one at an end of the range is the end: close
-/// to it a measure comes down to its rounding.
+/// Sorts near misses by coordinate and removes duplicates. Also removes those at an end of the
+/// range, where a measure drops to its rounding error and only looks like a near miss.
 fn near_misses(mut misses: Vec<NearMiss>, range: Range, engine: &Engine) -> Vec<NearMiss> {
     match range {
         Range::Full { period } => {

@@ -1,7 +1,7 @@
-//! A motion that ends at stops.
+//! Limits a motion by stops.
 //!
-//! What is known of the whole motion stays: how the groups are solved, and where. Only the range ends sooner, and
-//! what lies beyond is not told.
+//! The data about the whole motion remain: how the groups are solved, and at which coordinates.
+//! Only the range becomes shorter, and results beyond it are not shown.
 
 use super::{Motion, Range};
 use crate::{LimitId, StrokeEnd};
@@ -9,18 +9,18 @@ use crate::{LimitId, StrokeEnd};
 /// A stop at which the motion ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndStop {
-    /// The limit that is met.
+    /// The limit that the motion meets.
     pub limit: LimitId,
-    /// At which of its ends.
+    /// The end of the limit that is met.
     pub end: StrokeEnd,
-    /// The driver's coordinate there, in degrees or in the scene's length unit.
+    /// The driver's coordinate at the stop, in degrees or in the scene's length unit.
     pub at: f64,
-    /// Its error at most; `None` where that is not proved.
+    /// The maximum error of the coordinate, in the same unit; `None` if it is not proved.
     pub bound: Option<f64>,
 }
 
 impl Motion {
-    /// Ends the motion at stops on the way down and up, where there are any.
+    /// Limits the range to the given stops below and above `opening`, the start of the motion.
     pub(in crate::solver) fn stop(&mut self, [down, up]: [Option<EndStop>; 2], opening: f64) {
         if down.is_none() && up.is_none() {
             return;
@@ -38,10 +38,10 @@ impl Motion {
         self.stops = [down, up].into_iter().flatten().collect();
         self.dead_points.retain(|&at| at == low || at == high);
         self.lined_up.retain(|end| end.at == low || end.at == high);
-        // At a stop the mechanism is as solvable as before it.
+        // A stop does not make the mechanism harder to solve.
         let [from, to] = self.clear;
         self.clear = [from.max(low.next_down()), to.min(high.next_up())];
-        // Where it comes round often, once tells.
+        // One period of samples is enough if the range has several.
         let once = match self.whole {
             Range::Full { period } => high.min(low + period),
             Range::Limited { .. } => high,
@@ -57,7 +57,8 @@ impl Motion {
         self.near_misses.sort_by(|a, b| a.at.total_cmp(&b.at));
     }
 
-    /// The end that the motion has without stops, with its bound, if a coordinate lies within some roundings of it.
+    /// Returns the end of the range without stops, with its error bound, if a coordinate lies
+    /// within some roundings of it.
     pub(in crate::solver) fn own_end(&self, at: f64, roundings: f64) -> Option<(f64, Option<f64>)> {
         let Range::Limited { low, high } = self.whole else {
             return None;
@@ -67,12 +68,15 @@ impl Motion {
         ends.find(|(end, _)| (at - end).abs() <= room)
     }
 
-    /// Places of the whole motion that lie in the range, each as often as it comes round.
+    /// Returns the coordinates in the range that correspond to the given ones, repeated in every
+    /// period.
     fn within(&self, places: &[f64]) -> Vec<f64> {
         let (low, high) = self.range.ends();
         self.between(places, low, high)
     }
 
+    /// Returns the coordinates from `low` to `high` that correspond to the given ones, repeated in
+    /// every period, sorted and without duplicates.
     fn between(&self, places: &[f64], low: f64, high: f64) -> Vec<f64> {
         let mut found = Vec::new();
         for &at in places {
@@ -82,7 +86,7 @@ impl Motion {
             };
             let mut place = first;
             while place <= high {
-                // The quotient rounds: the first may lie before the range.
+                // The quotient is rounded: the first may lie before the range.
                 found.extend((low <= place).then_some(place));
                 place += period;
             }
