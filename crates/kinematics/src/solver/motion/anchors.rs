@@ -1,4 +1,5 @@
-//! States of the coupled groups along the motion, from which any angle is solved without a history.
+//! Stores states of the coupled groups along the motion, so that any coordinate can be solved
+//! without a history.
 
 use super::walk::SAMPLES;
 use crate::solver::engine::Engine;
@@ -8,13 +9,14 @@ use crate::solver::workspace::Workspace;
 #[derive(Clone, Debug, Default)]
 pub(in crate::solver) struct Anchors {
     at: Vec<f64>,
-    /// z, z' and z'' of every group, anchor by anchor.
+    /// The values z, z' and z'' of every group, anchor by anchor.
     numbers: Vec<f64>,
-    /// The period by which coordinates are reduced; 0 where they are not.
+    /// The period by which coordinates are reduced; 0 if they are not.
     period: f64,
 }
 
 impl Anchors {
+    /// Returns the count of numbers stored per anchor.
     pub(super) fn stride(engine: &Engine) -> usize {
         engine
             .program
@@ -24,7 +26,7 @@ impl Anchors {
             .sum()
     }
 
-    /// Puts into the scratch what the nearest anchor predicts for `at`.
+    /// Writes the state predicted by the nearest anchor for `at` into the scratch.
     #[inline(always)]
     pub(in crate::solver) fn aim(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         if !self.at.is_empty() {
@@ -52,7 +54,7 @@ impl Anchors {
         self.aim_from(nearest, engine, reduced, work);
     }
 
-    /// As [`Anchors::aim`], from the nearest of the anchors that were pushed last.
+    /// Predicts a state as [`Anchors::aim`] does, from the nearest of the anchors pushed last.
     pub(super) fn aim_from_latest(&self, engine: &Engine, at: f64, work: &mut Workspace) {
         let latest = self.at.len().saturating_sub(SAMPLES)..self.at.len();
         let far = |&i: &usize| (self.at[i] - at).abs();
@@ -61,13 +63,14 @@ impl Anchors {
         }
     }
 
-    /// The coordinate of the latest anchor that is not beyond another one on the way.
+    /// Returns the coordinate of the latest anchor at or before `at` in the direction of `sense`.
     pub(super) fn latest_before(&self, at: f64, sense: f64) -> Option<f64> {
         let mut anchors = self.at.iter().rev().copied();
         anchors.find(|anchor| (anchor - at) * sense <= 0.0)
     }
 
-    /// As [`Anchors::aim`], from the latest anchor that is not beyond a coordinate on the way.
+    /// Predicts a state as [`Anchors::aim`] does, from the latest anchor at or before `at` in the
+    /// direction of `sense`.
     pub(super) fn aim_from_before(
         &self,
         engine: &Engine,
@@ -81,6 +84,7 @@ impl Anchors {
         }
     }
 
+    /// Predicts the state for `at` from one anchor.
     pub(super) fn aim_from(&self, anchor: usize, engine: &Engine, at: f64, work: &mut Workspace) {
         let dq = engine.difference(self.at[anchor], at);
         let mut from = anchor * Anchors::stride(engine);
@@ -98,19 +102,20 @@ impl Anchors {
         self.at.len()
     }
 
-    /// Forgets all but the first few.
+    /// Removes all but the first `kept` anchors.
     pub(super) fn truncate(&mut self, engine: &Engine, kept: usize) {
         self.at.truncate(kept);
         self.numbers.truncate(kept * Anchors::stride(engine));
     }
 
-    /// Forgets the latest anchors as far as they lie beyond a limit.
+    /// Removes the latest anchors at or beyond a limit.
     pub(super) fn forget_beyond(&mut self, engine: &Engine, limit: f64, sense: f64) {
         let is_on_the_way = |&at: &f64| (at - limit) * sense < 0.0;
         let kept = self.at.iter().rposition(is_on_the_way).map_or(0, |i| i + 1);
         self.truncate(engine, kept);
     }
 
+    /// Stores the state of all coupled groups as an anchor.
     pub(super) fn push(&mut self, engine: &Engine, at: f64, work: &mut Workspace) {
         if engine.program.coupled.is_empty() {
             return;
@@ -124,7 +129,7 @@ impl Anchors {
         }
     }
 
-    /// Sorted by coordinate, each reduced to one period.
+    /// Returns the anchors sorted by coordinate, each reduced to one period.
     pub(super) fn sorted(&self, engine: &Engine, period: f64) -> Anchors {
         let reduce = |at: f64| {
             if period > 0.0 {
@@ -136,7 +141,7 @@ impl Anchors {
         let mut order: Vec<(f64, usize)> = self.at.iter().map(|&a| reduce(a)).zip(0..).collect();
         order.sort_by(|a, b| a.0.total_cmp(&b.0));
         order.dedup_by(|a, b| a.0 == b.0);
-        // Across the end of the period, too, the nearest anchor is the nearest.
+        // The nearest anchor may lie across the end of the period.
         if let ([first, ..], [.., last], true) = (&order[..], &order[..], period > 0.0) {
             let (before, after) = ((last.0 - period, last.1), (first.0 + period, first.1));
             order.insert(0, before);
@@ -154,6 +159,7 @@ impl Anchors {
     }
 }
 
+/// Reduces a coordinate to the range from 0 to `period`.
 pub(in crate::solver) fn positive_remainder(at: f64, period: f64) -> f64 {
     let rest = at % period;
     if rest < 0.0 { rest + period } else { rest }

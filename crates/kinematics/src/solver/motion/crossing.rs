@@ -1,4 +1,5 @@
-//! Change points of coupled groups: where two solutions cross, exactly where, and on beyond it.
+//! Crosses the change points of coupled groups: finds where two solutions cross, its exact
+//! coordinate, and the motion beyond it.
 
 use super::change::{Change, approaches};
 use super::walk::Walker;
@@ -9,25 +10,30 @@ use crate::solver::elements::REACH_SLACK;
 use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 
-/// Newton's steps to a crossing, from a start with half of the digits.
+/// Maximum number of Newton steps to a crossing, from a start with half of the digits.
 const STEPS: usize = 20;
-/// So many ways across are tried, each a tenth as wide as the last.
+/// Number of half widths tried for the step across, each a tenth of the last.
 const WAYS: usize = 7;
-/// So many steps from an anchor to a coordinate before a crossing: a fold may be close behind that.
+/// Maximum number of steps from an anchor to a coordinate before a crossing. A fold may be close
+/// behind the crossing.
 const STEPS_BEFORE: usize = 200;
-/// Corrections end at their rounding, in units of about the longest link.
+/// Size of a correction at its rounding error, which ends the iteration, in units of about the
+/// longest link.
 const SETTLED: f64 = 1e-13;
-/// What the equations may be opened by for the branches to meet where doubles alone tell, in units of about the
-/// longest link: the rounding of lengths, and besides that of given coordinates. More is a near miss.
+/// Maximum opening of the equations at which the branches count as crossing in doubles, in units of
+/// about the longest link. It covers the rounding of lengths; that of given coordinates is added to
+/// it. A larger opening is a near miss.
 const OPENED: f64 = 1e-13;
-/// Corrections in twice the digits: the second one has them all, unless the place is nearly another kind of one.
+/// Number of corrections in double-double. The second one has all digits, unless another kind of
+/// singularity is close.
 const CORRECTIONS: usize = 5;
 
 impl Walker<'_> {
-    /// Goes on beyond a limit at which a coupled group has crossing solutions: the coordinate that was
-    /// reached.
+    /// Crosses a limit at which two solutions of a coupled group cross. Returns the coordinate
+    /// reached beyond it.
     pub(super) fn cross(&mut self, limit: f64) -> Option<f64> {
-        // A motion that is shorter than the widest way across still has its anchors.
+        // If the motion is shorter than the widest step, its anchors are restored for the next
+        // step.
         let anchors = self.anchors.clone();
         approaches().take(WAYS).find_map(|by| {
             let passed = self.cross_at(limit, by);
@@ -38,12 +44,13 @@ impl Walker<'_> {
         })
     }
 
-    /// As [`Walker::cross`], from a distance before the limit to the same beyond.
+    /// Crosses a limit as [`Walker::cross`] does, from a distance `by` before it to the same
+    /// distance beyond.
     fn cross_at(&mut self, limit: f64, by: f64) -> Option<f64> {
         let engine = self.engine;
         let before = engine.moved(limit, -self.sense * by);
         let beyond = engine.moved(limit, self.sense * by);
-        // Closer by, the derivatives in an anchor have lost their digits.
+        // Closer to the limit, the derivatives in an anchor have lost their digits.
         self.anchors.forget_beyond(engine, before, self.sense);
         if !self.stand_at(before) {
             return None;
@@ -72,15 +79,17 @@ impl Walker<'_> {
             passed
         });
         if passed.is_none() {
-            // On the side on which it came, for the next way.
+            // Restore the state before the limit for the next width.
             self.state = saved;
         }
         passed
     }
 
-    /// Whether the solutions of a coupled group cross where its measure is smallest. Lengths and
-    /// coordinates are rounded: by that much the solutions may miss each other, and the motion, turning
-    /// sharply from one to the other, is that of neither.
+    /// Returns `true` if the solutions of a coupled group cross at the minimum of its measure.
+    ///
+    /// Lengths and coordinates are rounded, so that the solutions may miss each other by that
+    /// rounding. The motion would then turn sharply from one solution to the other and follow
+    /// neither.
     pub(super) fn crosses(&mut self, group: usize, at: f64) -> bool {
         let engine = self.engine;
         let mut steps = 0..engine.program.steps.len();
@@ -95,7 +104,8 @@ impl Walker<'_> {
         })
     }
 
-    /// Goes to a coordinate from the latest anchor before it, by as many steps as the motion needs.
+    /// Steps to a coordinate from the latest anchor before it, by as many steps as the motion
+    /// needs. Returns `true` if the coordinate was reached.
     fn stand_at(&mut self, to: f64) -> bool {
         let engine = self.engine;
         let Some(mut good) = self.anchors.latest_before(to, self.sense) else {
@@ -133,7 +143,8 @@ impl Walker<'_> {
         false
     }
 
-    /// Where the solutions of a coupled group cross close to a limit.
+    /// Returns the crossing of a coupled group's solutions within `by` of a limit. The state must
+    /// be the one beyond the limit, and `before` the one before it.
     fn crossing(
         &mut self,
         step: usize,
@@ -180,7 +191,8 @@ impl Walker<'_> {
         met.then_some(Change { step, at, z, rate })
     }
 
-    /// Whether the branches meet by the numbers that are meant; where these cannot be asked, as doubles say.
+    /// Returns `true` if the branches meet according to the typed decimals. Also returns `true` if
+    /// these are not available: then the result in doubles counts.
     fn meets(&mut self, step: usize, at: f64, crossing: Crossing) -> bool {
         // The steps before it must have a closed form.
         let Some(exact) = self.exact.filter(|exact| step <= exact.closed) else {
@@ -208,7 +220,7 @@ impl Walker<'_> {
             let dq = group.unfold(&mut unfolding, q, state, scratch);
             at = self.moved_exactly(at, Double::exactly(dq));
         }
-        // A length that is off by so much shifts an equation by at most twice that.
+        // An error of a length shifts an equation by at most twice that error.
         let unknowns = unfolding.unknowns() as f64;
         unfolding.by.hi.abs() <= 2.0 * unknowns * exact.typed_slack()
     }

@@ -1,10 +1,11 @@
-//! The ends of a range, to the last digit.
+//! Computes the ends of a range to the last digit.
 //!
-//! A walk ends where doubles end: within some roundings of the lengths of a dyad's reach, or of the
-//! place where a coupled group folds. Before the first coupled group everything is decided in twice the
-//! digits, from the numbers that are meant: the end is the double nearest to where the first dyad comes to its
-//! limit. Behind that the limit of a dyad is the zero of its measure, and of a coupled group that of the system of
-//! a fold: found in doubles, and corrected from the typed decimals ([`super::proved_ends`]).
+//! In doubles, a walk ends within some roundings of a dyad's limit or of a coupled group's fold.
+//! Before the first coupled group, everything is decided in double-double from the typed decimals:
+//! the end is the double nearest to the limit of the first dyad that reaches one. Behind a coupled
+//! group, a dyad's limit is the zero of its measure, and a coupled group's limit solves the system
+//! of a fold. Both are found in doubles and corrected from the typed decimals
+//! ([`super::proved_ends`]).
 
 use super::proved_ends::BoundedEnd;
 use super::walk::Walker;
@@ -17,20 +18,24 @@ use crate::solver::exact::Exact;
 use crate::solver::state::{Condition, State};
 use crate::solver::workspace::Workspace;
 
-/// Doublings of an ulp within which a limit is sought around where the walk ended.
+/// Number of doublings of an ulp within which a limit is searched around the end of a walk.
 const DOUBLINGS: i32 = 30;
-/// Near nought there are that many more between an ulp and the rounding of a length.
+/// Maximum number of doublings of an ulp: near zero, so many lie between an ulp and the rounding of
+/// a length.
 const NEAR_NOUGHT: i32 = 1100;
-/// Newton's steps to a fold, from a start that has half of the digits.
+/// Maximum number of Newton steps to a fold, from a start with half of the digits.
 const FOLD_STEPS: usize = 20;
-/// In a fold the corrections of z and of the null vector end at their rounding; that of the
-/// coordinate then has all its digits. In units of about the longest link.
+/// Size of a correction that ends the iteration to a fold, in units of about the longest link. The
+/// corrections of z and of the null vector end at their rounding error; the coordinate then has all
+/// its digits.
 const FOLDED: f64 = 1e-11;
-/// A fold further than this from where the walk ended is another one, in radians or scaled lengths.
+/// Maximum distance of a fold from the end of the walk, in radians or scaled lengths. A fold
+/// further away is another one.
 const SAME_FOLD: f64 = 1e-6;
 
 impl Walker<'_> {
-    /// The limit at which the motion ends, to the last digit; `state` is the last one before it.
+    /// Returns the limit that ends the motion, to the last digit. `state` is the last one before
+    /// it.
     pub(super) fn refined(&mut self, limit: f64, state: &Workspace) -> BoundedEnd {
         self.state.clone_from(state);
         if let Some((step, end)) = self.exact.and_then(|exact| self.end_exactly(exact, limit)) {
@@ -45,7 +50,7 @@ impl Walker<'_> {
                 self.end_of_reach(step, limit)
             }
         });
-        // A start within rounding of a limit belongs to the motion.
+        // A start within the rounding of a limit belongs to the motion.
         let refined = refined.unwrap_or(BoundedEnd::unproved(limit));
         let before = -self.ahead(refined.at);
         if before > 0.0 {
@@ -57,11 +62,12 @@ impl Walker<'_> {
         }
     }
 
+    /// Returns the ulp of a coordinate or of the start, whichever is larger.
     fn ulp(&self, at: f64) -> f64 {
         f64::EPSILON * at.abs().max(self.start.abs())
     }
 
-    /// Distances from a limit, growing from none.
+    /// Returns distances from a limit: zero, then growing ones up to some roundings of a length.
     pub(super) fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
         let ulp = self.ulp(limit).max(f64::MIN_POSITIVE);
         let most = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();
@@ -71,7 +77,8 @@ impl Walker<'_> {
 
     // ---- dyads before the first coupled group
 
-    /// The double that is nearest to where the first dyad comes to its limit, next to where a walk ended.
+    /// Returns the double nearest to the coordinate where the first dyad reaches its limit, close
+    /// to the end of a walk, with the dyad's step.
     fn end_exactly(&self, exact: &Exact, limit: f64) -> Option<(usize, Stretched)> {
         let mut state: State<Double> = exact.state(self.state.travels.len());
         let signs = self.state.signs.iter();
@@ -95,14 +102,14 @@ impl Walker<'_> {
                 outside = middle;
             }
         }
-        // The measure has more digits than the coordinate: it tells the nearer one of the two.
+        // The measure has more digits than the coordinate: it decides which of the two is nearer.
         let step = exact.stops(outside, &mut state)?;
         let group = exact.engine.program.steps[step].choice()?;
         let beyond = state.measures[group].hi;
         let _ = exact.stops(inside, &mut state);
         let before = state.measures[group].hi;
         let nearest = if before <= -beyond { inside } else { outside };
-        // Twice the digits tell differences from nought only so far.
+        // Double-double resolves differences from zero only to a limited precision.
         let is_nought = nearest.abs() < f64::EPSILON * self.engine.finest()
             && exact.stops(0.0, &mut state) == Some(step);
         let at = if is_nought { 0.0 } else { nearest };
@@ -111,7 +118,7 @@ impl Walker<'_> {
 
     // ---- dyads behind a coupled group
 
-    /// The first step that cannot be done at a limit or just beyond it.
+    /// Returns the first step that cannot be assembled at a limit or just beyond it.
     fn ending_step(&mut self, limit: f64) -> Option<usize> {
         let sense = self.sense;
         let mut beyond = self.distances(limit).map(|by| limit + sense * by);
@@ -125,7 +132,8 @@ impl Walker<'_> {
         })
     }
 
-    /// Where a dyad's measure is zero, next to a limit; other steps have none.
+    /// Returns the coordinate close to a limit where a dyad's measure is zero; `None` for other
+    /// steps.
     fn end_of_reach(&mut self, step: usize, limit: f64) -> Option<BoundedEnd> {
         let group = self.engine.program.steps[step].choice()?;
         if let Some(end) = self.exact_reach(step, group, limit) {
@@ -133,7 +141,8 @@ impl Walker<'_> {
         }
         let by = self.sense * self.ulp(limit);
         let mut around = (2..DOUBLINGS).map(|k| by * f64::from(k).exp2());
-        // Where the arms miss each other by a hair the motion ends before and begins again behind.
+        // If the arms only just miss each other, the motion ends before the limit and exists again
+        // behind it.
         let is_gap = self.measure_behind(step, group, limit)? < 0.0;
         let (inside, outside) = around.find_map(|by| {
             let outside = if is_gap { limit } else { limit + by };
@@ -148,7 +157,8 @@ impl Walker<'_> {
         at.ok().map(BoundedEnd::unproved)
     }
 
-    /// A dyad's measure, negative beyond its reach.
+    /// Returns a dyad's measure, negative beyond its reach; `None` if its inputs cannot be
+    /// assembled.
     fn measure_behind(&mut self, step: usize, group: usize, at: f64) -> Option<f64> {
         self.aim_at(at);
         let engine = self.engine;
@@ -162,8 +172,8 @@ impl Walker<'_> {
 
     // ---- coupled groups
 
-    /// The fold of a coupled group that is next to a limit: Newton on {F = 0, J v = 0, c.v = 1}. Keeps
-    /// the state there, since the group's own matrix is singular.
+    /// Returns the fold of a coupled group close to a limit by Newton's method on {F = 0, J v = 0,
+    /// c.v = 1}. Stores the state at the fold because the group's own matrix is singular there.
     fn fold(
         &mut self,
         step: usize,

@@ -1,8 +1,9 @@
-//! The ends of a range in double-double, from the typed decimals, each with a bound on its error.
+//! Computes the ends of a range in double-double from the typed decimals, each with an error bound.
 //!
-//! Where a dyad reaches its limit, or a coordinate its stop, a function of the driver's coordinate changes its sign.
-//! The bound is the smallest distance on both sides of the end at which the signs are proved to differ. The
-//! fold of a coupled group is bounded by its own equations.
+//! A function of the driver's coordinate changes its sign where a dyad reaches its limit, or where
+//! a coordinate reaches its stop. The bound is the smallest distance at which the signs on both
+//! sides of the end are proved to differ. The fold of a coupled group is bounded by its own
+//! equations.
 
 use super::walk::Walker;
 use crate::arithmetic::{Sharp, half_ulp};
@@ -15,26 +16,26 @@ use crate::solver::state::Condition;
 use crate::solver::workspace::Workspace;
 use crate::{Ball, Double};
 
-/// Doublings of half an ulp within which the signs on both sides of an end are sought.
+/// Number of doublings of half an ulp within which the signs on both sides of an end are compared.
 const DOUBLINGS: i32 = 64;
-/// The slope of a function at its root is taken from values so many halves of an ulp away.
+/// Distance, in half ulps, of the values that give the slope of a function at its root.
 const NEAR: f64 = 16.0;
-/// Corrections of a fold at most: each one gains about the digits of a double.
+/// Maximum number of corrections of a fold. Each gains about the digits of a double.
 const CORRECTIONS: usize = 12;
-/// A correction below this ends them, in units of about the longest link.
+/// Size of a correction that ends the iteration, in units of about the longest link.
 const SETTLED: f64 = 1e-27;
 
-/// An end of the range.
+/// An end of the range with an error bound.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct BoundedEnd {
     /// The driver's coordinate.
     pub(in crate::solver) at: f64,
-    /// Its error at most; `None` where nothing is proved.
+    /// The maximum error of the coordinate; `None` if it is not proved.
     pub(in crate::solver) bound: Option<f64>,
 }
 
 impl BoundedEnd {
-    /// An end that is what it is by definition.
+    /// Creates an end that is exact by definition.
     pub(super) fn exact(at: f64) -> BoundedEnd {
         BoundedEnd {
             at,
@@ -42,12 +43,13 @@ impl BoundedEnd {
         }
     }
 
-    /// An end that is known in doubles only.
+    /// Creates an end known in doubles only, without a bound.
     pub(super) fn unproved(at: f64) -> BoundedEnd {
         BoundedEnd { at, bound: None }
     }
 
-    /// The nearest double to a place, whose own error is at most `off`.
+    /// Rounds `place`, whose own error is at most `off`, to the nearest double, or to zero if its
+    /// enclosure contains zero.
     fn nearest(place: Double, off: Option<f64>) -> BoundedEnd {
         let is_zero = off.is_some_and(|off| place.hi.abs() <= off);
         let at = if is_zero { 0.0 } else { place.hi };
@@ -59,17 +61,18 @@ impl BoundedEnd {
     }
 }
 
-/// What is zero at the end of a dyad's reach.
+/// A quantity that is zero at the end of a dyad's reach.
 #[derive(Clone, Copy)]
 enum Vanishing {
-    /// Its measure.
+    /// The dyad's measure.
     Measure,
-    /// The rate of its stretch, where it only touches its limit; times a sign.
+    /// The dyad's rate of stretch, for a dyad that only touches its limit, times this sign.
     StretchRate(f64),
 }
 
 impl Walker<'_> {
-    /// Returns the place near a limit where a dyad comes to the end of its reach.
+    /// Returns the coordinate near a limit where a dyad reaches the end of its reach, with its
+    /// error bound.
     pub(super) fn exact_reach(
         &mut self,
         step: usize,
@@ -99,6 +102,7 @@ impl Walker<'_> {
             .find_map(|vanishing| self.reach_bound(&mut run, (step, group), vanishing, at))
     }
 
+    /// Returns the smallest distance from `at` at which the quantity's signs are proved to differ.
     fn reach_bound(
         &mut self,
         run: &mut ProvedRun<'_>,
@@ -112,7 +116,7 @@ impl Walker<'_> {
         })
     }
 
-    /// A zero on whose inner side the function is positive.
+    /// Returns a zero of a quantity near a limit. The quantity is positive on the inner side.
     fn zero_near(
         &mut self,
         run: &mut ProvedRun<'_>,
@@ -137,7 +141,7 @@ impl Walker<'_> {
             (-here.mid.hi > here.radius).then_some((at, here.mid.hi))
         })?;
         let at = root(inside, outside, 0.0, |at| Some(value(at)?.mid.hi)).ok()?;
-        // One step of Newton for what the root is off by: some ulp.
+        // One Newton step removes the remaining error of the root, which is some ulps.
         let by = NEAR * half_ulp(at).max(f64::EPSILON * finest);
         let [before, here, beyond] = [-by, 0.0, by].map(|by| Some(value(at + by)?.mid.hi));
         let correction = -2.0 * by * here? / (beyond? - before?);
@@ -149,6 +153,7 @@ impl Walker<'_> {
         Some(if is_zero { 0.0 } else { at })
     }
 
+    /// Evaluates the quantity at a coordinate; `None` if the dyad's inputs cannot be assembled.
     fn vanishing(
         &mut self,
         run: &mut ProvedRun<'_>,
@@ -170,7 +175,8 @@ impl Walker<'_> {
         }
     }
 
-    /// Runs what a step stands on; coupled groups start from their states in doubles.
+    /// Runs the steps before a step. Coupled groups start from their states in doubles. Returns
+    /// `false` if a step cannot be assembled.
     fn run_inputs(
         &mut self,
         run: &mut ProvedRun<'_>,
@@ -186,7 +192,7 @@ impl Walker<'_> {
             } else {
                 Order::Position
             };
-            // Far from the origin the typed decimals have other solutions than the doubles next to them.
+            // Far from the origin, the typed decimals have other solutions than the nearby doubles.
             let found = run.engine.run_steps(0..step, at, order, &mut self.state);
             if found == Condition::NoAssembly {
                 return false;
@@ -195,7 +201,8 @@ impl Walker<'_> {
         run.run(step, place, has_rates, &self.state)
     }
 
-    /// Corrects the fold of a coupled group: its place, and the unknowns of the group there.
+    /// Corrects the fold of a coupled group. Returns its coordinate with an error bound, and the
+    /// unknowns of the group there.
     pub(super) fn exact_fold(
         &mut self,
         of: (usize, usize),
@@ -212,7 +219,7 @@ impl Walker<'_> {
             let residuals = self.fold_residuals(&mut run, of, &fold, place)?;
             let Correction { size, dq } = group.correct_fold(&mut fold, &residuals);
             place = self.moved_exactly(place, Double::exactly(dq));
-            // Written so that NaN ends it.
+            // This form of the condition also stops at NaN.
             if !(size < 0.5 * last && size > SETTLED) {
                 break;
             }
@@ -224,6 +231,7 @@ impl Walker<'_> {
         is_known.then(|| (BoundedEnd::nearest(place, bound), fold.unknowns()))
     }
 
+    /// Returns the residuals of a fold's equations at a coordinate, in double-double.
     fn fold_residuals(
         &mut self,
         run: &mut ProvedRun<'_>,
@@ -241,6 +249,7 @@ impl Walker<'_> {
         engine.program.coupled[index].fold_residuals(fold, q, state, scratch)
     }
 
+    /// Bounds the error of a fold's coordinate, in radians or scaled lengths.
     fn fold_bound(
         &mut self,
         run: &mut ProvedRun<'_>,
