@@ -1,11 +1,13 @@
-//! Passages through change points.
+//! Represents crossings of change points by Taylor series.
 //!
-//! Where the arms of a dyad come into line at the extreme of their reach, exactly, its two
-//! assemblies meet and the motion goes on smoothly: from then on on the other side, so that the sign
-//! which names the assembly changes. So does the sign of a coupled group's determinant where two of
-//! its solutions cross. At the point itself and close to it the group's equations lose their digits -
-//! the second derivatives as the inverse cube of the distance - though the motion is smooth; there the
-//! group is placed by the Taylor series of its motion.
+//! If the arms of a dyad come exactly into line at an extreme of their reach, its two assemblies
+//! meet. The motion continues smoothly on the other side, so that the sign of the assembly changes.
+//! The sign of a coupled group's determinant changes in the same manner where two of its solutions
+//! cross.
+//!
+//! At and near the change point, the group's equations lose their digits, the second derivatives as
+//! the inverse cube of the distance. The motion itself is smooth: there, the group is placed by the
+//! Taylor series of its motion.
 
 use super::engine::Engine;
 use super::motion::positive_remainder;
@@ -13,51 +15,53 @@ use super::state::{LinkState, PointState, State};
 use crate::arithmetic::{Series, TERMS};
 use crate::{Double, LinkId, PointId, Vec2};
 
-/// The series takes the group's place no further than this from a change point, in radians or scaled
-/// lengths: from there on a dyad's own second derivatives are off by less than some 1e-11, its places
-/// by some roundings. Wider, series would stand in where nothing is amiss,
+/// Maximum distance from a change point at which the series replaces the group's equations, in
+/// radians or scaled lengths. Beyond it, a dyad's own second derivatives are off by less than about
+/// 1e-11, and its positions by some roundings. A wider zone would replace accurate equations.
 const MAX_WIDTH: f64 = 0.02;
-/// and no further than its last terms are below this in the second derivatives: about a rounding.
+/// Maximum size of the last terms of a series in the second derivatives, within its zone: about a
+/// rounding error.
 const FINE: f64 = 1e-15;
-/// A coordinate that differs from a change point by less than this part of it is the change point.
+/// Maximum relative difference between a coordinate and a change point that counts as none.
 const SAME: f64 = 4.0 * f64::EPSILON;
 
-/// A function of the driver's coordinate by the Taylor coefficients that are known.
+/// The known Taylor coefficients of a function of the driver's coordinate.
 type Taylor = Vec<Vec2>;
 
-/// A group's way through one of its change points.
+/// A crossing of one of a group's change points.
 #[derive(Clone, Debug)]
 pub(super) struct Passage {
     /// The driver's coordinate, reduced to one period if there is one.
     pub at: f64,
-    /// What that has been rounded by.
+    /// The rounding error of `at`: the low part of the coordinate in double-double.
     rest: f64,
-    /// The group.
+    /// The group that crosses the change point.
     pub group: usize,
-    /// Whether its sign changes there.
+    /// Whether the group's sign changes there.
     pub turns: bool,
-    /// Whether a constraint that repeats others leads the group through: then nothing branches there.
+    /// Whether a redundant constraint leads the group through. In this case, nothing branches
+    /// there.
     pub is_led: bool,
-    /// How far from the place the series stands in for the group's equations, in radians or scaled
-    /// lengths.
+    /// The maximum distance from `at` at which the series replaces the group's equations, in
+    /// radians or scaled lengths.
     pub zone: f64,
     points: Vec<(PointId, Taylor)>,
     links: Vec<(LinkId, Taylor)>,
 }
 
-/// All passages of a motion.
+/// All change point crossings of a motion.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Passages {
     list: Vec<Passage>,
-    /// Group and place in the list of every passage, in order.
+    /// The group and list index of every crossing, in order.
     by_group: Vec<(usize, usize)>,
     start: f64,
-    /// 0 where coordinates are not reduced.
+    /// The period in degrees; 0 if coordinates are not reduced.
     period: f64,
 }
 
 impl Passages {
-    /// Reduces all to one period, if there is one.
+    /// Reduces all coordinates to one period, if there is one.
     pub(super) fn of_motion(self, start: f64, period: f64) -> Passages {
         let Passages { mut list, .. } = self;
         for passage in &mut list {
@@ -75,6 +79,7 @@ impl Passages {
         passages
     }
 
+    /// Rebuilds the index by group.
     fn sort_groups(&mut self) {
         let groups = self.list.iter().enumerate();
         self.by_group.clear();
@@ -83,7 +88,7 @@ impl Passages {
         self.by_group.sort_unstable();
     }
 
-    /// The passages of a group.
+    /// Returns the crossings of a group.
     fn of_group(&self, group: usize) -> impl Iterator<Item = &Passage> {
         let first = self.by_group.partition_point(|&(of, _)| of < group);
         let ours = self.by_group[first..].iter();
@@ -91,7 +96,7 @@ impl Passages {
         ours.map(|&(_, i)| &self.list[i])
     }
 
-    /// Adds those that are not yet known.
+    /// Adds the crossings not yet known.
     pub(super) fn add(&mut self, mut passages: Vec<Passage>) {
         passages.retain(|new| {
             let mut known = self.of_group(new.group);
@@ -105,24 +110,26 @@ impl Passages {
         self.list.len()
     }
 
-    /// Forgets all but the first few.
+    /// Removes all but the first `kept` crossings.
     pub(super) fn truncate(&mut self, kept: usize) {
         self.list.truncate(kept);
         self.sort_groups();
     }
 
-    /// The passages from a number on.
+    /// Returns the crossings from index `from` on.
     pub(super) fn latest(&mut self, from: usize) -> &mut [Passage] {
         self.list.get_mut(from..).unwrap_or_default()
     }
 
-    /// Whether a group has a passage at a coordinate, within a distance in radians or scaled lengths.
+    /// Returns `true` if a group has a change point within a distance of a coordinate, in radians
+    /// or scaled lengths.
     pub(super) fn has(&self, engine: &Engine, (group, at): (usize, f64), within: f64) -> bool {
         let mut ours = self.of_group(group);
         ours.any(|p| engine.difference(p.at, at).abs() <= within)
     }
 
-    /// How far a coordinate is from the nearest other passage of a group, in radians or scaled lengths.
+    /// Returns the distance of a coordinate from the group's nearest other change point, in radians
+    /// or scaled lengths. Returns `None` if there is no other.
     pub(super) fn distance(&self, engine: &Engine, group: usize, at: f64) -> Option<f64> {
         let others = self.of_group(group).filter(|p| p.at != at);
         let away = others.map(|p| engine.difference(p.at, at).abs());
@@ -133,7 +140,7 @@ impl Passages {
         self.list.is_empty()
     }
 
-    /// The driver's coordinates of the change points, each once.
+    /// Returns the driver's coordinates of the branching change points, each once.
     pub(super) fn coordinates(&self) -> Vec<f64> {
         let branching = self.list.iter().filter(|p| !p.is_led);
         let mut at: Vec<f64> = branching.map(|p| p.at).collect();
@@ -141,8 +148,8 @@ impl Passages {
         at
     }
 
-    /// Gives every group the sign that it has at a coordinate: that of the start, changed by every
-    /// passage in between.
+    /// Sets every group's sign at a coordinate: the sign at the start, changed by every crossing in
+    /// between.
     pub(super) fn choose(&self, engine: &Engine, at: f64, signs: &mut [f64]) {
         signs.copy_from_slice(&engine.signs);
         for group in self.changed(at) {
@@ -150,7 +157,7 @@ impl Passages {
         }
     }
 
-    /// The groups whose sign changes between the start and a coordinate, once for every time.
+    /// Returns the groups whose sign changes between the start and a coordinate, once per change.
     pub(super) fn changed(&self, at: f64) -> impl Iterator<Item = usize> {
         let here = reduced(at, self.period);
         let between = move |p: &&Passage| (p.at < here) != (p.at < self.start);
@@ -158,7 +165,8 @@ impl Passages {
         turning.filter(between).map(|p| p.group)
     }
 
-    /// The passage of a group in whose zone a coordinate lies, and how far from it.
+    /// Returns the crossing of a group whose zone contains a coordinate, with the signed distance
+    /// from it. The nearest one counts if there are several.
     pub(super) fn near(&self, engine: &Engine, at: f64, group: usize) -> Option<(&Passage, f64)> {
         let here = reduced(at, self.period);
         let away = self
@@ -168,14 +176,15 @@ impl Passages {
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
 
-    /// Whether a series stands in for any group at a coordinate.
+    /// Returns `true` if a series replaces the equations of any group at a coordinate.
     pub(super) fn is_near(&self, engine: &Engine, at: f64) -> bool {
         let here = reduced(at, self.period);
         let mut passages = self.list.iter();
         passages.any(|p| self.away(engine, p, here).abs() < p.zone)
     }
 
-    /// From a passage to a coordinate, across the end of the period where that is shorter.
+    /// Returns the signed distance from a crossing to a coordinate, across the end of the period if
+    /// that is shorter.
     fn away(&self, engine: &Engine, passage: &Passage, here: f64) -> f64 {
         let straight = here - passage.at;
         let around = straight - self.period * straight.signum();
@@ -191,6 +200,7 @@ impl Passages {
     }
 }
 
+/// Reduces a coordinate to one period, if there is one.
 fn reduced(at: f64, period: f64) -> f64 {
     if period > 0.0 {
         positive_remainder(at, period)
@@ -199,12 +209,12 @@ fn reduced(at: f64, period: f64) -> f64 {
     }
 }
 
-/// A function and its first two derivatives.
+/// Evaluates a series and its first two derivatives at a distance from the change point.
 fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
     let mut sums = [Vec2::ZERO; 3];
     for (n, &c) in series.iter().enumerate().rev() {
         let n = n as f64;
-        // Horner's scheme: each lower power once more times dq.
+        // Horner's scheme: each lower power gains another factor dq.
         sums[0] = sums[0] * dq + c;
         if n >= 1.0 {
             sums[1] = sums[1] * dq + c * n;
@@ -217,8 +227,8 @@ fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
 }
 
 impl Passage {
-    /// Keeps the motion of what a group places, as it stands in a state of series about `at`; `None`
-    /// where too little of it is known.
+    /// Stores the motion of a group's points and links from a state in series about `at`. Returns
+    /// `None` if too few coefficients are known.
     pub(super) fn new(
         at: Double,
         (group, turns): (usize, bool),
@@ -228,7 +238,7 @@ impl Passage {
         let mut known = TERMS;
         let mut kept = |v: Vec2<Series>| {
             known = known.min(v.x.known).min(v.y.known);
-            // The others are zeros.
+            // The remaining coefficients are zero.
             let terms = v.x.known.max(v.y.known);
             let told = v.x.c.iter().zip(&v.y.c).take(terms);
             told.map(|(x, y)| Vec2::new(x.hi, y.hi)).collect::<Taylor>()
@@ -258,7 +268,7 @@ impl Passage {
         })
     }
 
-    /// Places what the group places, at a distance from the change point.
+    /// Writes the states of the group's points and links at a distance from the change point.
     pub(super) fn write(&self, dq: f64, state: &mut State) {
         for (point, series) in &self.points {
             let [p, v, a] = told(series, dq);
@@ -278,8 +288,9 @@ impl Passage {
     }
 }
 
-/// How far around the point `known` coefficients tell the second derivatives: the last two terms of
-/// these must be fine. `None` where there are too few coefficients.
+/// Returns the distance from the change point within which `known` coefficients determine the
+/// second derivatives: their last two terms must be at most [`FINE`]. Returns `None` if there are
+/// too few coefficients.
 fn zone<'a>(series: impl Iterator<Item = &'a Taylor>, known: usize) -> Option<f64> {
     let last = known.checked_sub(1).filter(|&last| last >= 4)?;
     let mut zone = MAX_WIDTH;

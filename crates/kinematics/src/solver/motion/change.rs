@@ -228,8 +228,7 @@ impl Walker<'_> {
         found.collect()
     }
 
-    /// Returns the steps of all dyads almost in line at a limit, up to the first that is open
-    /// there.
+    /// Returns the steps of all dyads almost in line at a limit, up to the first open one.
     fn flat(&mut self, limit: f64) -> Vec<usize> {
         let engine = self.engine;
         let mut flat = Vec::new();

@@ -67,7 +67,8 @@ impl Walker<'_> {
         f64::EPSILON * at.abs().max(self.start.abs())
     }
 
-    /// Returns distances from a limit: zero, then growing ones up to some roundings of a length.
+    /// Returns distances from a limit: zero, then growing ones up to 2^30 times the finest
+    /// resolution.
     pub(super) fn distances(&self, limit: f64) -> impl Iterator<Item = f64> + use<> {
         let ulp = self.ulp(limit).max(f64::MIN_POSITIVE);
         let most = self.engine.finest().max(ulp) * f64::from(DOUBLINGS).exp2();

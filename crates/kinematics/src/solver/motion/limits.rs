@@ -1,4 +1,5 @@
-//! Limits between the samples of a walk: extremes of a dyad's reach, and the zeros of other groups' measures.
+//! Finds limits between the samples of a walk: extremes of a dyad's reach, and zeros of other
+//! groups' measures.
 
 use super::change::ReachExtreme;
 use super::junction::Standing;
@@ -11,31 +12,32 @@ use crate::solver::elements::{FRAMES, Stretching};
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
-/// A measure whose smallest sample is below this is searched for a zero between the samples.
+/// Minimum sample of a measure below which a zero is searched between the samples.
 const SUSPICIOUS: f64 = 0.05;
-/// A measure below this part of its largest, the square of a rounding, touches zero.
+/// Fraction of a measure's maximum below which it touches zero: the square of a rounding error.
 const TOUCH: f64 = 1e-28;
-/// A dyad that comes closer than this to its limit is looked at in twice the digits: doubles tell its
-/// measure that well, unless what it stands on is itself as near to a limit.
+/// Measure at a dyad's extreme below which double-double decides. Doubles are accurate enough above
+/// it, unless the dyad's inputs are themselves as close to a limit.
 const UNSURE: f64 = 1e-6;
-/// A measure that goes down to less than this part of its largest, and not to zero, is a near miss: a
-/// sine below 0.032, which is a transmission angle of 1.8 degrees. A gap of some 5e-4 of a link, 0.05 mm
-/// in 100, is as much as workshops leave open; without it the motion would end there, or could change
-/// its assembly.
+/// Fraction of a measure's maximum below which a nonzero minimum is a near miss.
+///
+/// It corresponds to a sine below 0.032, a transmission angle of 1.8 degrees. A gap of about 5e-4
+/// of a link, 0.05 mm in 100 mm, is typical in workshops. Without the gap, the motion would end
+/// there or could change its assembly.
 const NEAR: f64 = 1e-3;
-/// Sections that narrow a minimum down to the square root of the rounding.
+/// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;
-/// Two extremes of one dyad that are this close are one, in radians or scaled lengths.
+/// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.
 const SAME: f64 = 1e-14;
-/// What doubles miss an extreme by at the most, in radians or scaled lengths.
+/// Maximum error of an extreme found in doubles, in radians or scaled lengths.
 const NEIGHBOURING: f64 = 1e-5;
-/// Dyads whose stretch is extreme within this on both sides of a place are stretched there, in radians or scaled
-/// lengths.
+/// Half width of an interval around a coordinate, in radians or scaled lengths. Dyads whose stretch
+/// is extreme within it are stretched at this coordinate.
 const SAME_PLACE: f64 = 1e-12;
-/// A speed below this part of those on both sides is none.
+/// Fraction of the speeds on both sides below which a speed counts as zero.
 const STILL: f64 = 1e-7;
 
-/// A dyad between the last two samples.
+/// The stretching of a dyad at the last two samples.
 #[derive(Clone, Copy)]
 struct Stretch {
     step: usize,
@@ -45,8 +47,8 @@ struct Stretch {
 }
 
 impl Walker<'_> {
-    /// The first limit that the last samples have stepped over. What lies behind the start is for the walk the
-    /// other way.
+    /// Returns the first limit between the last samples. Limits behind the start are left to the
+    /// walk in the other direction.
     pub(super) fn limit_passed(&mut self) -> Option<f64> {
         let stretches = self.stretches();
         let dips = self.dips();
@@ -66,7 +68,7 @@ impl Walker<'_> {
             .filter(|&limit| self.ahead(limit) > 0.0)
             .min_by(|&x, &y| self.ahead(x).total_cmp(&self.ahead(y)));
         if let Some(limit) = first {
-            // What lies at the limit or beyond is seen from its wrong side.
+            // Near misses at the limit or beyond it are on the wrong side.
             let (mut number, sense) = (0, self.sense);
             self.misses.retain(|miss| {
                 number += 1;
@@ -78,7 +80,8 @@ impl Walker<'_> {
 
     // ---- dyads
 
-    /// The dyads whose reach has an extreme between the last two samples, as far as it can be their limit.
+    /// Returns the dyads whose reach has an extreme between the last two samples that may be their
+    /// limit.
     fn stretches(&self) -> Vec<Stretch> {
         let [.., a, b] = &self.seen[..] else {
             return Vec::new();
@@ -99,7 +102,7 @@ impl Walker<'_> {
         all.collect()
     }
 
-    /// The first extreme of a reach that is a limit; those that are close to one are noted.
+    /// Returns the first extreme of a reach that is a limit. Records the near misses before it.
     fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
         self.ahead = None;
         let mut found: Vec<(Stretch, f64)> = Vec::new();
@@ -110,7 +113,7 @@ impl Walker<'_> {
             }
             let extremes = self.extremes(stretch);
             found.extend(extremes.iter().map(|&at| (*stretch, at)));
-            // Of a long row all are stretched at one place: they are asked for in one run.
+            // In a long row of dyads, all are stretched at one coordinate: one run evaluates them.
             if let ([at], false) = (&extremes[..], stretch.turns_back()) {
                 for together in self.stretched_together(*at, &stretches[number + 1..]) {
                     is_known[together.step] = true;
@@ -127,7 +130,7 @@ impl Walker<'_> {
             if !is_known[stretch.step] || self.exactly_near(stretch.step, at).is_some() {
                 return self.limit_at(&stretch, at);
             }
-            // Doubles took it for stretched at the place of another one.
+            // Doubles assigned it to the extreme of another dyad.
             let mut extremes = self.extremes(&stretch).into_iter();
             extremes.find_map(|at| {
                 let is_passed = self.passages.has(self.engine, (stretch.group, at), SAME);
@@ -137,14 +140,15 @@ impl Walker<'_> {
         })
     }
 
-    /// Where a dyad's reach is extreme close to a coordinate, in twice the digits. Newton's method may go to another
-    /// extreme from a place that is none.
+    /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
+    /// Returns `None` if Newton's method converges to another extreme.
     fn exactly_near(&mut self, step: usize, at: f64) -> Option<Double> {
         let exact = self.exactly(step, at);
         exact.filter(|exact| self.engine.difference(exact.hi, at).abs() <= NEIGHBOURING)
     }
 
-    /// Those of some dyads whose reach is extreme at the same place as that of another one.
+    /// Returns the dyads of `rest` whose reach is extreme at the same coordinate as that of another
+    /// one.
     fn stretched_together(&mut self, at: f64, rest: &[Stretch]) -> Vec<Stretch> {
         if rest.is_empty() {
             return Vec::new();
@@ -158,7 +162,8 @@ impl Walker<'_> {
         rest.iter().filter(is_here).copied().collect()
     }
 
-    /// The rates of stretch of all steps at a coordinate, up to the first that does not exist there.
+    /// Returns the rates of stretch of all steps at a coordinate, up to the first step that cannot
+    /// be assembled there.
     fn all_rates(&mut self, at: f64) -> Vec<Option<f64>> {
         self.aim_at(at);
         let engine = self.engine;
@@ -177,8 +182,9 @@ impl Walker<'_> {
         rates
     }
 
-    /// Where the reach of a dyad is extreme between two samples. Where what moves it turns back, so does its
-    /// rate: the parts before and behind that are looked at one by one.
+    /// Returns the coordinates between two samples where a dyad's reach is extreme. If the input
+    /// reverses between them, so does the rate: the parts before and behind the reversal are
+    /// examined separately.
     fn extremes(&mut self, stretch: &Stretch) -> Vec<f64> {
         let &Stretch { step, from, to, .. } = stretch;
         let rates = stretch.rates(self.sense);
@@ -195,7 +201,8 @@ impl Walker<'_> {
         all
     }
 
-    /// Where the motion that stretches a dyad turns back between two samples, how it does, and in which frame.
+    /// Returns where the motion that stretches a dyad reverses between two samples: the coordinate,
+    /// the stretching there, and the frame.
     fn turning_back(&mut self, stretch: &Stretch) -> Option<(f64, Stretching, usize)> {
         let &Stretch { step, from, to, .. } = stretch;
         let finest = self.engine.finest();
@@ -217,7 +224,8 @@ impl Walker<'_> {
         })
     }
 
-    /// The limit that an extreme of a dyad's reach is, or that comes just before it.
+    /// Returns the limit at an extreme of a dyad's reach, or just before it. Returns `None` if the
+    /// extreme is no limit; records near misses.
     fn limit_at(&mut self, stretch: &Stretch, at: f64) -> Option<f64> {
         let &Stretch { step, group, .. } = stretch;
         let measure = self.measure(group, at);
@@ -250,13 +258,14 @@ impl Walker<'_> {
         None
     }
 
-    /// Where a dyad's reach is extreme, and how it stands there, in twice the digits; `None` where that cannot
-    /// be told.
+    /// Returns the coordinate of an extreme of a dyad's reach and the dyad's singularity there, in
+    /// double-double. Returns `None` if this cannot be determined.
     fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
         let at = self.exactly_near(step, at)?;
         Some((at, self.standing_at(step, at)?))
     }
 
+    /// Records a near miss.
     fn note_miss(&mut self, group: usize, sine: f64, at: f64) {
         let group = GroupId::new(group);
         self.misses.push(NearMiss { group, sine, at });
@@ -264,7 +273,8 @@ impl Walker<'_> {
 
     // ---- other groups
 
-    /// The groups that are no dyads whose measure has a small minimum among the last three samples.
+    /// Returns the groups other than dyads whose measure has a small minimum among the last three
+    /// samples, with the coordinates of the samples.
     fn dips(&self) -> Vec<(usize, [f64; SAMPLES])> {
         let [first, middle, last] = &self.seen[..] else {
             return Vec::new();
@@ -285,7 +295,8 @@ impl Walker<'_> {
             .collect()
     }
 
-    /// The zero of one group's measure that a minimum between three samples touches or crosses.
+    /// Returns the zero that a group's measure touches or crosses near a minimum between three
+    /// samples.
     fn limit_of(&mut self, group: usize, samples: [f64; SAMPLES]) -> Option<f64> {
         let lowest = self.lowest(group, samples);
         let measure = self.measure(group, lowest);
@@ -303,7 +314,8 @@ impl Walker<'_> {
         Some(self.edge(group, good, lowest))
     }
 
-    /// A group's measure between the last samples, negative where the mechanism does not exist.
+    /// Returns a group's measure between the last samples, negative if the mechanism does not exist
+    /// there.
     fn measure(&mut self, group: usize, at: f64) -> f64 {
         self.aim_at(at);
         let condition = self.run(at, Order::Position);
@@ -315,13 +327,13 @@ impl Walker<'_> {
             Condition::Ok => measure,
             Condition::DeadPoint | Condition::ChangePoint => measure.min(0.0),
             Condition::NoAssembly if measure < 0.0 => measure,
-            // Another group is open: this one's measure may be that of another coordinate.
+            // Another group is open: the stored measure may belong to another coordinate.
             Condition::NoAssembly => -1.0,
         }
     }
 
-    /// The coordinate of the smallest measure between two samples by golden section, at once the sample
-    /// between them if that touches zero.
+    /// Returns the coordinate of the minimum of a measure between two samples, by golden section.
+    /// Returns the sample between them immediately if its measure touches zero.
     fn lowest(&mut self, group: usize, [a, middle, b]: [f64; 3]) -> f64 {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         if self.measure(group, middle) < TOUCH * self.peaks[group] {
@@ -344,7 +356,7 @@ impl Walker<'_> {
         if at_c < at_d { c } else { d }
     }
 
-    /// Whether a group whose measure is smallest here is stretched to its limit.
+    /// Returns `true` if a group is at its limit where its measure has a minimum.
     fn touches(&mut self, group: usize, at: f64, measure: f64) -> bool {
         if self.is_coupled(group) {
             return measure < NEAR * self.peaks[group] && self.crosses(group, at);
@@ -352,12 +364,14 @@ impl Walker<'_> {
         measure < TOUCH * self.peaks[group]
     }
 
+    /// Returns `true` if a group is coupled.
     fn is_coupled(&self, group: usize) -> bool {
         let mut coupled = self.engine.program.coupled.iter();
         coupled.any(|c| c.group == group)
     }
 
-    /// The last coordinate on the way from `good` to `bad` at which a measure is positive.
+    /// Returns the last coordinate between `good` and `bad` at which a measure is positive, by
+    /// bisection.
     fn edge(&mut self, group: usize, good: f64, bad: f64) -> f64 {
         let (mut good, mut bad) = (good, bad);
         loop {
@@ -375,18 +389,19 @@ impl Walker<'_> {
 }
 
 impl Stretch {
-    /// Whether the relative velocity turns back between the samples, in any frame.
+    /// Returns `true` if the relative velocity reverses between the samples, in any frame.
     fn turns_back(&self) -> bool {
         (0..FRAMES).any(|frame| self.turns_back_in(frame))
     }
 
+    /// Returns `true` if the relative velocity reverses between the samples, in one frame.
     fn turns_back_in(&self, frame: usize) -> bool {
         let [v, w] = [self.from.1, self.to.1].map(|s| s.seen[frame].v);
         v.dot(w) < 0.0
     }
 
-    /// The rates at both samples. Where one stands still, as at the end of a table, the rate is zero there whatever
-    /// happens between: what counts is its sign just beside, on the inner side.
+    /// Returns the rates at both samples. If a sample is at rest, as at the end of a table, its
+    /// rate is always zero. Then the sign just next to it counts, on the inner side.
     fn rates(&self, sense: f64) -> [f64; 2] {
         let [from, to] = [self.from.1, self.to.1];
         let rate = |own: Stretching, other: Stretching, inwards: f64| {
@@ -398,7 +413,7 @@ impl Stretch {
             }
         };
         let rates = [rate(from, to, sense), rate(to, from, -sense)];
-        // Behind the end of a table nothing moves: there is no extreme.
+        // Behind the end of a table, nothing moves: there is no extreme.
         match (from.rests(), to.rests()) {
             (true, true) => [0.0; 2],
             (true, false) => [rates[1]; 2],
@@ -407,7 +422,8 @@ impl Stretch {
         }
     }
 
-    /// Whether there may be an extreme between the samples; one at the first of them was met before.
+    /// Returns `true` if there may be an extreme between the samples. An extreme at the first
+    /// sample was found before.
     fn has_extreme(&self, sense: f64) -> bool {
         let [from, to] = self.rates(sense);
         self.turns_back() || from != 0.0 && (to == 0.0 || (from < 0.0) != (to < 0.0))

@@ -1,4 +1,4 @@
-//! The walk along the motion: steps, barriers, and when a turn has closed.
+//! Tracks the motion step by step, finds barriers, and detects when a turn has closed.
 
 use super::anchors::Anchors;
 use super::change::ReachExtreme;
@@ -16,52 +16,58 @@ use crate::solver::workspace::Workspace;
 use crate::solver::{Order, angle_turn};
 use std::ops::Range;
 
-/// No link turns more than this (as the length of the change of its unit vector) in one step.
+/// Maximum rotation of a link in one step, as the length of the change of its unit vector.
 const TURN_STEP: f64 = 0.2;
-/// A coupled group's first correction may be this part of the predicted move: else the step could
-/// land on another assembly.
+/// Maximum first correction of a coupled group, as a fraction of the predicted move. With a larger
+/// correction, the step could end on another assembly.
 const STRAIN: f64 = 0.05;
-/// Below this correction, in units of about the longest link, no strain is counted: rounding.
+/// Correction below which strain is ignored as rounding error, in units of about the longest link.
 const STRAIN_FLOOR: f64 = 1e-9;
-/// The second-order part of a coupled group's move may be this part of the first-order one: at a
-/// distance D from a dead point it is h / 4 D for a step h, so that no step reaches across it.
+/// Maximum second-order part of a coupled group's move, as a fraction of the first-order part. At a
+/// distance D from a dead point this fraction is h / 4 D for a step h, so that no step reaches
+/// across it.
 const BEND: f64 = 0.125;
-/// Below this, in units of about the longest link, no bend is counted: the group stands still.
+/// Move below which the bend is ignored because the group is at rest, in units of about the longest
+/// link.
 const BEND_FLOOR: f64 = 1e-6;
-/// A turning driver steps by a degree, a pushed one by this part of the solver's unit length.
+/// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
+/// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
-/// How many longest lengths a slide is followed.
+/// Maximum travel of a slide from the start, in units of the longest length.
 pub(super) const PUSH_REACH: f64 = 64.0;
-/// Steps into which one degree, or one push, may fall: a hundred halvings and as many doublings.
+/// Maximum number of steps for one degree or one push: a hundred halvings and as many doublings.
 const MAX_STEPS: usize = 400;
-/// Halvings between two doubles, at the most.
+/// Maximum number of halvings between two doubles.
 const MAX_HALVINGS: usize = 1100;
-/// Turns after which a motion must have closed.
+/// Maximum number of turns after which a motion must have closed.
 pub(super) const MAX_TURNS: usize = 16;
-/// Samples that must have been seen before a minimum of a measure shows.
+/// Number of samples needed to detect a minimum of a measure.
 pub(super) const SAMPLES: usize = 3;
-/// How near z must come to its start for the motion to have closed.
+/// Maximum difference between z and its start in a closed motion.
 const CLOSED: f64 = 1e-7;
 
-/// A state of the walk.
+/// A sample of the walk.
 pub(super) struct WalkSample {
     /// The driver's coordinate.
     pub(super) at: f64,
     pub(super) measures: Vec<f64>,
-    /// How every dyad is being stretched, by its step.
+    /// The stretching of every dyad, with its step.
     pub(super) stretchings: Vec<(usize, Option<Stretching>)>,
 }
 
-/// How a walk ended.
+/// The end of a walk.
 pub(super) enum WalkEnd {
+    /// The motion has closed after this number of turns.
     Closed(usize),
+    /// The motion ends at this limit.
     Limit(BoundedEnd),
-    /// Followed no further.
+    /// The motion was cut at this coordinate.
     Cut(f64),
 }
 
 impl WalkEnd {
-    /// The end of the range, or the number of turns after which the motion has closed.
+    /// Returns the end of the range. The error is the number of turns after which the motion has
+    /// closed.
     pub(super) fn end(self) -> Result<BoundedEnd, usize> {
         match self {
             WalkEnd::Closed(turns) => Err(turns),
@@ -71,48 +77,53 @@ impl WalkEnd {
     }
 }
 
-/// Someone who follows the motion from its start, in one direction.
+/// Tracks the motion from its start in one direction.
 pub(super) struct Walker<'e> {
     pub(super) engine: &'e Engine,
     pub(super) exact: Option<&'e Exact>,
-    /// The same, with room, where it tells more than doubles do.
+    /// The mechanism with its typed decimals and a state, if double-double decides more than
+    /// doubles.
     pub(super) closely: Option<(&'e Exact, State<Double>)>,
     pub(super) state: Workspace,
     pub(super) anchors: Anchors,
-    /// The last few states.
+    /// The last samples, at most [`SAMPLES`].
     pub(super) seen: Vec<WalkSample>,
-    /// The largest value of every measure so far, at most 1: what is small is small against this.
+    /// The maximum of every measure so far, at most 1. Small values are judged relative to it.
     pub(super) peaks: Vec<f64>,
     pub(super) start: f64,
     pub(super) sense: f64,
     pub(super) passages: Passages,
-    /// The extreme that was found last, at the limit that it is.
+    /// The extreme found last, at the next limit.
     pub(super) ahead: Option<ReachExtreme>,
-    /// The groups whose assemblies meet at the limit ahead, as far as that is known.
+    /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
-    /// The ends at which groups are lined up.
+    /// The ends of the range at which groups are lined up.
     pub(super) lined_up: Vec<LinedUp>,
-    /// The coordinates that have been reached.
+    /// The coordinates of all samples.
     pub(super) samples: Vec<f64>,
     pub(super) misses: Vec<NearMiss>,
-    /// How far each watched constraint was from holding at the most.
+    /// The largest residual of each watched constraint.
     pub(super) misfits: Vec<f64>,
     pub(super) folds: Vec<Folded>,
     pub(super) stretched: Vec<Stretched>,
-    /// How many terms of series the last place took at which groups were singular.
+    /// The number of series terms used at the last junction.
     pub(super) terms: usize,
 }
 
-/// Why the motion goes no further.
+/// The reason why a step ends before its target.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Stop {
-    /// Somewhere between the last coordinate that was reached, and one that was not.
+    /// A barrier between `good`, the last coordinate reached, and `bad`, which was not reached.
     Barrier { good: f64, bad: f64 },
-    /// At a limit that is known already.
+    /// A limit with a known coordinate.
     Limit(f64),
 }
 
 impl Walker<'_> {
+    /// Tracks the motion to its end in the direction of `sense`.
+    ///
+    /// # Errors
+    /// [`Fault::OverConstrained`] if a watched constraint stops holding.
     pub(super) fn walk(&mut self) -> Result<WalkEnd, Fault> {
         let (start, sense) = (self.start, self.sense);
         let step = if self.engine.turns {
@@ -145,13 +156,14 @@ impl Walker<'_> {
                         self.approach(limit).unwrap_or(limit)
                     }
                 };
-                // What lies beyond a closed turn has been met at its beginning.
+                // Limits beyond a closed turn were found at its beginning.
                 if let Some(turns) = closed.filter(|&t| self.ahead(limit) > angle_turn(t)) {
                     return Ok(WalkEnd::Closed(turns));
                 }
                 self.check_fit_between(from, limit)?;
                 let last = self.state.clone();
-                // A place that was passed before is none ahead: there is no way on that could be told.
+                // A change point already passed is not ahead: the continuation would be
+                // undetermined.
                 let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
                 let Some(beyond) = beyond else {
                     let limit = self.refined(limit, &last);
@@ -162,13 +174,13 @@ impl Walker<'_> {
                     }));
                     return Ok(WalkEnd::Limit(limit));
                 };
-                // The steps between have been taken on the wrong side.
+                // The steps in between were computed on the wrong side.
                 (from, closed, passed) = (beyond, None, self.ahead(beyond));
                 k = (self.ahead(beyond) / step) as usize + 1;
                 continue;
             }
             self.check_fit()?;
-            // A turn ends a step after it has closed: only then has its last minimum been seen.
+            // A turn ends one step after it has closed: only then is its last minimum detected.
             if let Some(turns) = closed {
                 return Ok(WalkEnd::Closed(turns));
             }
@@ -181,7 +193,8 @@ impl Walker<'_> {
         Ok(WalkEnd::Cut(from))
     }
 
-    /// Runs every step, of a mechanism of dyads alone in twice the digits where doubles do not tell.
+    /// Runs all steps. A mechanism of dyads alone that fails in doubles is run again in
+    /// double-double if this decides more.
     pub(super) fn run(&mut self, at: f64, order: Order) -> Condition {
         let condition = if self.passages.is_near(self.engine, at) {
             self.run_some(0..self.engine.program.steps.len(), at, order)
@@ -211,23 +224,24 @@ impl Walker<'_> {
         }
     }
 
-    /// By how much lengths differ that count as equal.
+    /// Returns the maximum difference of lengths that count as equal, in the solver's unit.
     pub(super) fn slack(&self) -> f64 {
         self.exact.map_or(0.0, Exact::slack)
     }
 
-    /// How far on the way a coordinate is.
+    /// Returns the signed distance of a coordinate from the start, positive in the direction of
+    /// motion.
     pub(super) fn ahead(&self, at: f64) -> f64 {
         (at - self.start) * self.sense
     }
 
-    /// Puts into the state what the nearest of the latest anchors predicts.
+    /// Predicts the state from the nearest of the latest anchors.
     pub(super) fn aim_at(&mut self, at: f64) {
         self.anchors
             .aim_from_latest(self.engine, at, &mut self.state);
     }
 
-    /// Notes a state on the other side of the start, so that a minimum at the start shows.
+    /// Records a sample on the other side of the start, so that a minimum at the start is detected.
     fn look_behind(&mut self, step: f64) {
         let (at_start, kept) = (self.state.clone(), self.anchors.len());
         let walked = self.samples.len();
@@ -239,13 +253,13 @@ impl Walker<'_> {
             self.seen.clear();
         }
         self.state = at_start;
-        // What lies behind is walked in its turn; a change point there is only passed then.
+        // The motion behind the start is tracked later, and crosses a change point there only then.
         self.anchors.truncate(self.engine, kept);
         self.samples.truncate(walked);
         self.note(self.start);
     }
 
-    /// Keeps the state that was reached as a sample and as an anchor.
+    /// Stores the current state as a sample and as an anchor.
     pub(super) fn note(&mut self, at: f64) {
         self.engine.measure_coupled(at, &mut self.state);
         self.anchors.push(self.engine, at, &mut self.state);
@@ -265,7 +279,7 @@ impl Walker<'_> {
         }
     }
 
-    /// How every dyad is being stretched in the state.
+    /// Returns the stretching of every dyad in the current state, with its step.
     fn stretchings(&self, at: f64) -> Vec<(usize, Option<Stretching>)> {
         let (q, _) = self.engine.coordinate(at);
         let steps = self.engine.program.steps.iter().enumerate();
@@ -275,7 +289,7 @@ impl Walker<'_> {
             .collect()
     }
 
-    /// Whether every group is where it was at the start.
+    /// Returns `true` if every group is back at its start.
     fn has_closed(&self, first: &[f64]) -> bool {
         let now = &self.state.scratch.numbers;
         self.state.signs == self.engine.signs
@@ -288,6 +302,10 @@ impl Walker<'_> {
             })
     }
 
+    /// Updates the largest residuals of the watched constraints and checks that these hold.
+    ///
+    /// # Errors
+    /// [`Fault::OverConstrained`] if a watched constraint does not hold.
     pub(super) fn check_fit(&mut self) -> Result<(), Fault> {
         let misses = self.engine.misses(&self.state);
         for (largest, (_, miss, _)) in self.misfits.iter_mut().zip(misses) {
@@ -304,8 +322,8 @@ impl Walker<'_> {
         }
     }
 
-    /// Whether what was set aside fits on the last part of a way, be it shorter than a step. At its end
-    /// rounding grows beyond what may be asked: halfway there it does not.
+    /// Checks the watched constraints on the last part of a walk, even if shorter than a step. The
+    /// check uses the middle because the rounding error at the limit exceeds the tolerance.
     fn check_fit_between(&mut self, from: f64, limit: f64) -> Result<(), Fault> {
         let last = self.state.clone();
         let middle = from + 0.5 * (limit - from);
@@ -316,8 +334,8 @@ impl Walker<'_> {
         fits
     }
 
-    /// As [`Walker::advance`], with a sample where a table begins or ends: there its input stands still, and what
-    /// happens just before is not seen from behind.
+    /// Advances as [`Walker::advance`] does, with an additional sample at each end of a table. An
+    /// input is at rest there, and the motion just before cannot be detected from behind.
     fn advance_by_table_ends(&mut self, from: f64, to: f64) -> Result<(), Stop> {
         let mut from = from;
         while let Some(end) = self.engine.table_end(from, to) {
@@ -327,8 +345,8 @@ impl Walker<'_> {
         self.advance(from, to)
     }
 
-    /// Goes from one coordinate, at which the state is, to another by as many steps as the motion
-    /// needs, and notes each; stopped, the state is the last good one.
+    /// Advances from `from`, the coordinate of the state, to `to` by as many steps as the motion
+    /// needs. Records each as a sample. On an error, the state is the last good one.
     fn advance(&mut self, from: f64, to: f64) -> Result<(), Stop> {
         let (mut good, mut bad, mut step) = (from, to, to - from);
         let mut saved = self.state.clone();
@@ -365,16 +383,19 @@ impl Walker<'_> {
         Err(Stop::Barrier { good, bad })
     }
 
-    /// Whether states depend on the path to them: a mechanism of dyads alone needs none.
+    /// Returns `true` if states depend on the path to them. A mechanism of dyads alone needs no
+    /// path.
     fn has_path(&self) -> bool {
         !self.engine.program.coupled.is_empty()
     }
 
-    /// Whether a mechanism of dyads alone does not exist at a coordinate.
+    /// Returns `true` if a mechanism of dyads alone does not exist at a coordinate.
     fn fails_at(&mut self, at: f64) -> bool {
         self.run(at, Order::Position) != Condition::Ok
     }
 
+    /// Tries one step and returns `true` if it is safe: it can be assembled, and the predicted
+    /// moves, corrections and rotations are small enough. The state is changed in any case.
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
         let dq = self.engine.difference(from, to);
         let mut planned = Vec::new();
@@ -400,7 +421,7 @@ impl Walker<'_> {
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
     /// the dead point itself included. The state must be the one at `good`.
     fn bisect(&mut self, mut good: f64, mut bad: f64) -> f64 {
-        // A step may have met the dead point itself, which belongs to the range.
+        // A step may have reached the dead point itself, which belongs to the range.
         if !self.has_path() && self.reach(good, bad).is_ok() {
             return bad;
         }
@@ -418,8 +439,9 @@ impl Walker<'_> {
         good
     }
 
-    /// Goes from the last sample towards a limit, half of the way at a time, for what lies close before it:
-    /// the first limit that is found. Where states depend on the path, narrowing down did that.
+    /// Approaches a limit from the last sample, halving the distance each time, and returns the
+    /// first limit found before it. Returns `None` if states depend on the path, because bisection
+    /// did this already.
     fn approach(&mut self, limit: f64) -> Option<f64> {
         if self.has_path() {
             return None;
@@ -442,6 +464,7 @@ impl Walker<'_> {
         found
     }
 
+    /// Moves to a coordinate, with intermediate steps only if states depend on the path.
     fn reach(&mut self, good: f64, to: f64) -> Result<(), Stop> {
         if self.has_path() {
             return self.advance(good, to);

@@ -1,4 +1,4 @@
-//! Steps in series about a place, one after another.
+//! Places steps in series about a coordinate, one after another.
 
 use crate::arithmetic::Series;
 use crate::solver::Order;
@@ -10,7 +10,8 @@ use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
 
 impl Walker<'_> {
-    /// The driver's coordinate in series about a place.
+    /// Returns the driver's coordinate and its direction as series about `at`, with the given
+    /// number of terms.
     pub(super) fn coordinate_of(&self, at: Double, terms: usize) -> (Series, Vec2<Series>) {
         let engine = self.engine;
         let place = if engine.turns {
@@ -21,7 +22,8 @@ impl Walker<'_> {
         engine.coordinate(place.cut(terms))
     }
 
-    /// Places steps in series, with the signs of the state, where none is singular.
+    /// Places steps in series, with the signs of the state. Returns `None` if one is singular or
+    /// open.
     pub(super) fn lay(
         &mut self,
         steps: std::ops::Range<usize>,
@@ -52,7 +54,8 @@ impl Walker<'_> {
         Some(())
     }
 
-    /// The driver's coordinate at a distance, in radians or scaled lengths.
+    /// Returns the driver's coordinate at a distance `by` from another, in radians or scaled
+    /// lengths.
     pub(in crate::solver::motion) fn moved_exactly(&self, from: Double, by: Double) -> Double {
         let unit = if self.engine.turns {
             Double::DEGREES
@@ -62,7 +65,8 @@ impl Walker<'_> {
         from + by * unit
     }
 
-    /// Places a coupled group in series.
+    /// Places a coupled group in series, along the branch of `crossing` if given. Returns `false`
+    /// if it cannot be followed.
     pub(super) fn follow(
         &mut self,
         step: usize,
@@ -76,7 +80,7 @@ impl Walker<'_> {
             return false;
         };
         let group = &exact.engine.program.coupled[index];
-        // Its inputs are read in doubles, too.
+        // The group's inputs are also read in doubles.
         self.aim_at(at);
         self.take_places(series);
         let toward = crossing.map(|crossing| {
@@ -90,7 +94,8 @@ impl Walker<'_> {
         group.follow(q, &mut self.state, toward, series)
     }
 
-    /// Takes places and directions from the beginning of series.
+    /// Copies the constant terms of the series, as positions and directions, to the state in
+    /// doubles.
     fn take_places(&mut self, series: &State<Series>) {
         let here = &mut self.state.state;
         for (point, from) in here.points.iter_mut().zip(&series.points) {

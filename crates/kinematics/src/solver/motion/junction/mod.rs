@@ -1,9 +1,10 @@
-//! A place at which groups are singular, treated as a whole: all groups in series about it, in the order
-//! of the plan, each on what those before it do there.
+//! Treats a coordinate at which groups are singular as a whole. All groups are expanded in series
+//! about it, in the order of the plan, each from the results of those before it.
 //!
-//! Whether a group passes, and on which side it goes on, is read off the square of its height (see
-//! [`crate::solver::elements::Height`]): of even order 2p it passes, its sign changing with odd p. Everything
-//! is carried in twice the precision, and proved by solving the mechanism on both sides of the place.
+//! The square of a group's height decides whether the group passes, and on which side it continues
+//! (see [`crate::solver::elements::Height`]). The group passes if the order of the square is even,
+//! 2p, and its sign changes if p is odd. All series are in double-double. They are proved by
+//! solving the mechanism on both sides of the coordinate.
 
 mod lay;
 mod proof;
@@ -17,80 +18,82 @@ use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
 pub(super) use standing::Standing;
 
-/// Terms that are begun with, and how many more are tried where too few are left.
+/// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;
+/// Number of additional terms per attempt, if too few coefficients remain.
 const MORE: usize = 8;
-/// Terms that are to be left of every group.
+/// Minimum number of known coefficients of every group.
 const WANTED: usize = 10;
 
-/// All groups about a place.
+/// All groups in series about a coordinate at which some are singular.
 pub(super) struct Junction {
     pub(super) at: Double,
     series: Workspace<Series>,
-    /// The groups that are singular there.
+    /// The groups singular at the coordinate.
     folds: Vec<SingularGroup>,
-    /// The groups whose assemblies miss each other there, by more than lengths have been rounded.
+    /// The groups whose assemblies miss each other there by more than the rounding of the lengths.
     pub(super) missed: Vec<Missed>,
-    /// The signs of all groups below the place and above it.
+    /// The signs of all groups below and above the coordinate.
     sides: [Vec<f64>; 2],
 }
 
-/// A singular group.
+/// A group singular at a junction.
 struct SingularGroup {
     step: usize,
     group: usize,
     snap: Snap,
-    /// The order of the square of its height.
+    /// The order of the square of the group's height.
     order: usize,
 }
 
-/// A group that is all but singular.
+/// A nearly singular group.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Missed {
     pub(super) group: usize,
-    /// The sine of its transmission angle.
+    /// The sine of the group's transmission angle.
     pub(super) sine: f64,
 }
 
 impl SingularGroup {
+    /// Returns `true` if the group's sign changes.
     fn turns(&self) -> bool {
         self.order % 4 == 2
     }
 }
 
-/// Why there is no passage.
+/// The reason why there is no crossing.
 enum Refusal {
-    /// The motion ends, or cannot be told.
+    /// The motion ends, or its continuation cannot be determined.
     End,
-    /// More terms would tell.
+    /// More terms may decide.
     Terms,
 }
 
 impl Junction {
-    /// Whether the groups are only near to being singular.
+    /// Returns `true` if the groups are only nearly singular.
     pub(super) fn is_miss(&self) -> bool {
         self.folds.is_empty()
     }
 
-    /// The groups that are singular.
+    /// Returns the singular groups.
     pub(super) fn groups(&self) -> impl Iterator<Item = usize> + '_ {
         self.folds.iter().map(|f| f.group)
     }
 
-    /// The steps whose group goes on with the other sign.
+    /// Returns the steps whose group changes its sign.
     pub(super) fn turning(&self) -> impl Iterator<Item = usize> + '_ {
         self.folds.iter().filter(|f| f.turns()).map(|f| f.step)
     }
 }
 
 impl Walker<'_> {
-    /// The mechanism in series about a place, with the signs that it comes with; `None` where the motion
-    /// ends there, or where it cannot be told how it goes on.
+    /// Expands the mechanism in series about a coordinate, with the signs of the arriving motion.
+    /// Returns `None` if the motion ends there or its continuation cannot be determined.
     pub(super) fn junction(&mut self, at: Double, crossing: Option<&Change>) -> Option<Junction> {
         for terms in (self.terms..=TERMS).step_by(MORE) {
             match self.junction_of(at, crossing, terms) {
                 Ok(junction) => {
-                    // At the next place as many will do.
+                    // The next junction starts with the number of terms that was needed here.
                     self.terms = terms;
                     return Some(junction);
                 }
@@ -101,6 +104,7 @@ impl Walker<'_> {
         None
     }
 
+    /// Expands the mechanism in series with a given number of terms.
     fn junction_of(
         &mut self,
         at: Double,
@@ -143,7 +147,7 @@ impl Walker<'_> {
         Ok(junction)
     }
 
-    /// Places a dyad in series, through its change point if it has one there.
+    /// Places a dyad in series, through its change point if it has one at this coordinate.
     fn lead(
         &mut self,
         step: usize,
@@ -160,8 +164,8 @@ impl Walker<'_> {
                 (Snap::default(), 0)
             }
             Standing::Singular { snap, order } => {
-                // As long as the pivots of one have met it swings freely, and takes along those of the
-                // next: there are more ways on than can be told apart.
+                // While the pivots of one dyad coincide, it swings freely and carries those of the
+                // next along. Then there are more continuations than can be distinguished.
                 let has_met = |f: &SingularGroup| f.snap.equal_arms;
                 let swings = snap.equal_arms && junction.folds.iter().any(has_met);
                 if swings && dyad.is_afloat(&junction.series) {
@@ -183,7 +187,7 @@ impl Walker<'_> {
 }
 
 impl Junction {
-    /// Keeps a singular group, and its sign on the side to which the motion goes.
+    /// Stores a singular group, and its sign on the side towards which the motion goes.
     fn fold(&mut self, (step, group): (usize, usize), (snap, order): (Snap, usize), sense: f64) {
         let fold = SingularGroup {
             step,
@@ -198,7 +202,7 @@ impl Junction {
         self.folds.push(fold);
     }
 
-    /// How many coefficients are known of every group that is singular.
+    /// Returns the minimum number of known coefficients of all points and links.
     fn known(&self) -> usize {
         let of = |v: Vec2<Series>| v.x.known.min(v.y.known);
         let points = self.series.points.iter().map(|p| of(p.p));

@@ -1,4 +1,5 @@
-//! The proof of what series tell: the mechanism solved on both sides of the place, in the same numbers.
+//! Proves series about a junction by solving the mechanism on both sides of it, in the same
+//! arithmetic.
 
 use super::Junction;
 use crate::arithmetic::Series;
@@ -8,17 +9,19 @@ use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
 use crate::{Double, Number, Vec2};
 
-/// At a distance from the place series and motion may differ by this much in places and directions,
+/// Maximum difference between series and motion in positions and directions, at a distance from the
+/// junction.
 const PROVEN: f64 = 1e-9;
-/// and by this part of how far the other assembly is.
+/// Maximum difference between series and motion, relative to the distance of the other assembly.
 const OTHER: f64 = 0.1;
-/// A zone in which the series cannot be proved is narrowed down to this part, so often.
+/// Factor by which a zone shrinks if the series cannot be proved in it.
 const ZONE: f64 = 0.1;
+/// Maximum number of zones tried.
 const ZONES: i32 = 8;
 
 impl Walker<'_> {
-    /// The passages of the groups that are singular at a place: each series tells where its group is on
-    /// both sides, as far as it is used.
+    /// Returns the change point crossings of the singular groups, each with the zone in which its
+    /// series is proved on both sides. Returns `None` if one cannot be proved.
     pub(in crate::solver::motion) fn passages(
         &mut self,
         junction: &Junction,
@@ -28,14 +31,14 @@ impl Walker<'_> {
             let of = (fold.group, fold.turns());
             let mut passage =
                 Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
-            // A series tells nothing of what lies behind a knot.
+            // A series does not hold beyond a knot of an input table.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
             let other = self.passages.distance(engine, fold.group, passage.at);
             passage.zone = other.map_or(passage.zone, |other| passage.zone.min(0.5 * other));
             (passage.zone > 0.0).then_some(passage)
         });
         let mut passages = passages.collect::<Option<Vec<Passage>>>()?;
-        // What is proved at a distance is proved of all groups before: once for all of one zone.
+        // A proof at a distance covers all groups before it: one per zone is enough.
         let mut zones: Vec<(f64, usize)> = Vec::new();
         for (passage, fold) in passages.iter().zip(&junction.folds) {
             let steps = fold.step + 1;
@@ -45,7 +48,7 @@ impl Walker<'_> {
             }
         }
         for (zone, steps) in zones {
-            // Another change point may be closer by.
+            // Another change point may be closer.
             let mut narrower = (0..ZONES).map(|k| zone * ZONE.powi(k));
             let proved = narrower.find(|&zone| self.proves(junction, zone, steps))?;
             let alike = passages.iter_mut().filter(|passage| passage.zone == zone);
@@ -54,8 +57,8 @@ impl Walker<'_> {
         Some(passages)
     }
 
-    /// Whether the series tells where the first steps are at a distance on both sides, and no other
-    /// assembly is as near.
+    /// Returns `true` if the series agree with the first `steps` steps at a distance on both sides,
+    /// and no other assembly is as close.
     pub(in crate::solver::motion) fn proves(
         &mut self,
         junction: &Junction,
@@ -70,6 +73,7 @@ impl Walker<'_> {
         proved
     }
 
+    /// Checks the series as [`Walker::proves`] does, at a signed distance on one side.
     fn tells(&mut self, junction: &Junction, dq: f64, steps: usize) -> bool {
         let Some(Exact { engine, .. }) = self.exact else {
             return false;
@@ -126,7 +130,7 @@ impl Walker<'_> {
     }
 }
 
-/// How far a place is from where a series tells it to be, at a distance.
+/// Returns the distance of a position from that of a series, evaluated at a distance `dq`.
 fn miss(told: Vec2<Series>, here: Vec2<Series>, dq: f64) -> f64 {
     let dq = Double::exactly(dq);
     let sum = |s: Series| {

@@ -1,4 +1,4 @@
-//! How a dyad stands at a place: singular, all but singular or neither.
+//! Decides whether a dyad is singular, nearly singular or regular at a coordinate.
 
 use super::Refusal;
 use crate::arithmetic::Series;
@@ -7,27 +7,27 @@ use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
 
-/// A square that begins with less than this part of its size may begin with zeros that were rounded.
+/// Threshold relative to the size of a square: smaller leading coefficients may be rounded zeros.
 const ROUGH: f64 = 1e-9;
-/// Where nothing was rounded but in twice the digits, it is this part.
+/// Threshold like [`ROUGH`] if only double-double arithmetic has rounded.
 const FINE: f64 = 1e-18;
-/// What is left of a square by lengths that are rounded, by their rounding at the most: pivots are turned by
-/// short links.
+/// Maximum remainder of a square per rounding of the lengths. Short links rotate the pivots and
+/// enlarge it.
 const WORN: f64 = 1e4;
-/// Change points of several groups that are this close to each other are one, in radians or scaled
-/// lengths: a mechanism drawn with lengths from one formula has them a few roundings apart,
+/// Maximum distance of change points of several groups that count as one, in radians or scaled
+/// lengths. In a mechanism whose lengths come from one formula, they are a few roundings apart.
 const TOGETHER: f64 = 1e-12;
-/// or the pivots are so many roundings of their coordinates away from where they would be: a line that
-/// begins with a short link is turned by them.
+/// Maximum shift of pivots, in roundings of their coordinates, for change points that count as one.
+/// A line that begins with a short link is rotated by them.
 const LEVER: f64 = 64.0;
-/// Newton's steps to a snap, or to a place: each doubles the digits.
+/// Maximum number of Newton steps to a snap or a coordinate. Each doubles the digits.
 const STEPS: usize = 8;
-/// A place is known to this, in radians or scaled lengths.
+/// Accuracy of a coordinate, in radians or scaled lengths.
 const PLACED: f64 = 1e-26;
-/// Terms that the reach of one dyad needs to tell where it is extreme.
+/// Number of terms sufficient to find an extreme of a dyad's reach.
 const FEW: usize = 12;
 
-/// How a dyad stands at a place.
+/// The singularity of a dyad at a coordinate.
 pub(in crate::solver::motion) enum Standing {
     Regular,
     Missing { sine: f64 },
@@ -35,7 +35,8 @@ pub(in crate::solver::motion) enum Standing {
 }
 
 impl Walker<'_> {
-    /// Whether a dyad is singular at a place, and how it is to be shifted to be so exactly.
+    /// Decides whether a dyad is singular at a coordinate, and by which shift it becomes exactly
+    /// singular.
     pub(super) fn standing(
         &self,
         dyad: Dyad<'_>,
@@ -46,7 +47,7 @@ impl Walker<'_> {
         let extremes = [FINE, ROUGH].map(|part| extreme(dyad, part, state));
         let apart = extremes.into_iter().flatten().map(|by| by.abs().hi);
         let apart = apart.reduce(f64::min);
-        // At the extreme itself only what was given can have been rounded.
+        // At the extreme itself, only the given numbers can be rounded.
         let is_extreme = apart.is_some_and(|apart| apart <= PLACED);
         let part = if is_extreme {
             (slack * WORN).clamp(FINE, ROUGH)
@@ -55,7 +56,8 @@ impl Walker<'_> {
         };
         let how = (is_extreme, apart);
         match self.standing_by(part, how, (dyad, q, slack), state) {
-            // Two change points close to each other, and what moves the group turns back between them: one by one.
+            // Two change points may be close to each other, with a reversal of the group's input
+            // between them. They are treated one by one.
             Err(Refusal::End) if is_extreme && part > FINE => {
                 match self.standing_by(FINE, how, (dyad, q, slack), state) {
                     Ok(singular @ Standing::Singular { .. }) => Ok(singular),
@@ -66,7 +68,8 @@ impl Walker<'_> {
         }
     }
 
-    /// As [`Walker::standing`], where less than this part of the size of a square is zero.
+    /// Decides as [`Walker::standing`] does. Coefficients of a square below `part` of its size
+    /// count as zero.
     fn standing_by(
         &self,
         part: f64,
@@ -116,7 +119,8 @@ impl Walker<'_> {
         }
     }
 
-    /// How a dyad stands at a place, in twice the digits; `None` where that cannot be told.
+    /// Decides in double-double whether a dyad is singular at a coordinate. Returns `None` if this
+    /// cannot be determined.
     pub(in crate::solver::motion) fn standing_at(
         &mut self,
         step: usize,
@@ -130,11 +134,11 @@ impl Walker<'_> {
         self.standing(dyad, q, self.slack(), &series).ok()
     }
 
-    /// Where a dyad's reach is extreme to twice the precision, close to a coordinate; those before it
-    /// are not singular there.
+    /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double. The
+    /// dyads before it must not be singular there.
     pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
         let engine = &self.exact?.engine;
-        // Where the extreme is of a higher order, what begins it is a rounding.
+        // At an extreme of higher order, the leading coefficients are rounding errors.
         [FINE, ROUGH].into_iter().find_map(|part| {
             let mut at = Double::exactly(at);
             for _ in 0..STEPS {
@@ -152,8 +156,8 @@ impl Walker<'_> {
     }
 }
 
-/// The distance at which a dyad's reach is extreme: one step of Newton for the last coefficient that is a
-/// zero there.
+/// Returns the distance to the extreme of a dyad's reach, by one Newton step for the last
+/// coefficient that vanishes there.
 fn extreme(dyad: Dyad<'_>, part: f64, state: &State<Series>) -> Option<Double> {
     let [reach, size] = dyad.reach(state);
     let moving = |n: &usize| reach.c[*n].hi.abs() > part * size.c[*n].hi;
@@ -161,7 +165,8 @@ fn extreme(dyad: Dyad<'_>, part: f64, state: &State<Series>) -> Option<Double> {
     Some(-(reach.c[order - 1] / (reach.c[order] * Double::exactly(order as f64))))
 }
 
-/// A dyad whose reach is extreme here, and whose arms miss each other.
+/// Returns [`Standing::Missing`] for a dyad at an extreme of its reach whose arms miss each other,
+/// or the end of the motion if it is open.
 fn missing(
     dyad: Dyad<'_>,
     q: Series,
@@ -177,7 +182,8 @@ fn missing(
     }
 }
 
-/// A dyad that is not singular here.
+/// Returns [`Standing::Regular`] for a dyad not singular here, or the end of the motion if it is
+/// open.
 fn beside(height: &Height) -> Result<Standing, Refusal> {
     if height.square.c[0].hi > 0.0 {
         Ok(Standing::Regular)
@@ -186,7 +192,8 @@ fn beside(height: &Height) -> Result<Standing, Refusal> {
     }
 }
 
-/// How much of a snap is across the reach: what parts the arms, and does not only move the place.
+/// Returns the component of a snap along the line of the pivots, or across the guide. This
+/// component separates the arms; the other one only shifts the coordinate of the extreme.
 fn across(dyad: Dyad<'_>, snap: Snap, state: &State<Series>) -> f64 {
     if snap.equal_arms {
         return 0.0;
@@ -198,8 +205,8 @@ fn across(dyad: Dyad<'_>, snap: Snap, state: &State<Series>) -> f64 {
     (snap.by.nearest().dot(u) / u.norm()).abs()
 }
 
-/// The snap with which the square of a dyad's height begins with so many zeros: least squares, since two
-/// shifts serve for more.
+/// Returns the snap with which the square of a dyad's height begins with `order` zeros. It is a
+/// least-squares solution because two shifts serve for more conditions.
 fn snapped(dyad: Dyad<'_>, q: Series, order: usize, state: &State<Series>) -> Option<Snap> {
     let mut snap = Snap::default();
     for _ in 0..STEPS {
@@ -217,7 +224,7 @@ fn snapped(dyad: Dyad<'_>, q: Series, order: usize, state: &State<Series>) -> Op
         let sum =
             |x: &Series, y: &Series| (0..order).fold(Double::ZERO, |sum, n| sum + x.c[n] * y.c[n]);
         let (aa, ab, bb) = (sum(&a, &a), sum(&a, &b), sum(&b, &b));
-        // Where only one of the shifts changes anything, the other one stays small.
+        // If only one of the shifts has an effect, the other one stays small.
         let least = (aa + bb) * Double::exactly(1e-28);
         let (aa, bb) = (aa + least, bb + least);
         let (ac, bc) = (sum(&a, &square), sum(&b, &square));
