@@ -21,9 +21,9 @@ const TOUCH: f64 = 1e-28;
 const UNSURE: f64 = 1e-6;
 /// Fraction of a measure's maximum below which a nonzero minimum is a near miss.
 ///
-/// It corresponds to a sine below 0.032, a transmission angle of 1.8 degrees. A gap of about 5e-4
-/// of a link, 0.05 mm in 100 mm, is typical in workshops. Without the gap, the motion would end
-/// there or could change its assembly.
+/// It corresponds to a sine below 0.032, a transmission angle of 1.8 degrees. The gap is then about
+/// 5e-4 of a link, 0.05 mm in 100 mm, which is as much clearance as workshops leave. Without the
+/// gap, the motion would end there or could change its assembly.
 const NEAR: f64 = 1e-3;
 /// Number of golden sections that locate a minimum to the square root of the rounding error.
 const GOLDEN_SECTIONS: usize = 44;

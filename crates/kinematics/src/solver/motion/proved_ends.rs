@@ -269,7 +269,8 @@ impl Walker<'_> {
     }
 }
 
-/// Returns the smallest distance on both sides of a coordinate at which the signs of a function are proved to differ.
+/// Returns the smallest distance on both sides of a coordinate at which the signs of a function are
+/// proved to differ.
 pub(in crate::solver) fn sign_change(
     engine: &Engine,
     at: f64,

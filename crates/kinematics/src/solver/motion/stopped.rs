@@ -20,7 +20,8 @@ pub struct EndStop {
 }
 
 impl Motion {
-    /// Limits the range to the given stops below and above `opening`, the start of the motion.
+    /// Limits the range to the given stops below and above `opening`, the coordinate at which the
+    /// scene opens.
     pub(in crate::solver) fn stop(&mut self, [down, up]: [Option<EndStop>; 2], opening: f64) {
         if down.is_none() && up.is_none() {
             return;

@@ -39,7 +39,7 @@ pub(super) const PUSH_REACH: f64 = 64.0;
 const MAX_STEPS: usize = 400;
 /// Maximum number of halvings between two doubles.
 const MAX_HALVINGS: usize = 1100;
-/// Maximum number of turns after which a motion must have closed.
+/// Number of turns after which tracking is cut if the motion has not closed.
 pub(super) const MAX_TURNS: usize = 16;
 /// Number of samples needed to detect a minimum of a measure.
 pub(super) const SAMPLES: usize = 3;
@@ -395,7 +395,8 @@ impl Walker<'_> {
     }
 
     /// Tries one step and returns `true` if it is safe: it can be assembled, and the predicted
-    /// moves, corrections and rotations are small enough. The state is changed in any case.
+    /// moves, corrections and rotations are small enough. The state may change even if the step
+    /// fails.
     pub(super) fn try_step(&mut self, from: f64, to: f64, before: &State) -> bool {
         let dq = self.engine.difference(from, to);
         let mut planned = Vec::new();

@@ -134,8 +134,9 @@ impl Walker<'_> {
         self.standing(dyad, q, self.slack(), &series).ok()
     }
 
-    /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double. The
-    /// dyads before it must not be singular there.
+    /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
+    /// Returns `None` if Newton's method does not converge, or if a step before the dyad is
+    /// singular or open there.
     pub(in crate::solver::motion) fn exactly(&mut self, step: usize, at: f64) -> Option<Double> {
         let engine = &self.exact?.engine;
         // At an extreme of higher order, the leading coefficients are rounding errors.
