@@ -207,7 +207,7 @@ fn unmet_wanted_properties_are_reported() {
         UnmetPreference::Sense,
     ];
     assert_eq!(candidate.missed, unmet);
-    let swinging = SWINGING.poses(&[(70.0, true), (80.0, true), (90.0, true)]);
+    let swinging = SWINGING.poses(&[(30.0, true), (40.0, true), (50.0, true)]);
     let (mut task, proposal) = swinging.unwrap();
     task.wishes.full_turn = true;
     let candidate = Candidate::judge(&task, &proposal);
