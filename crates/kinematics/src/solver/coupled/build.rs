@@ -125,14 +125,14 @@ impl<'a> Maker<'a> {
             .collect()
     }
 
-    /// Returns `true` if a link has a joint that is known or belongs to the group. A link merely
-    /// locked to one of the group's links is placed later; it would add unknowns without equations.
+    /// Returns `true` if a link has a known joint or one of the group's own. A link merely locked
+    /// to one of the group's links is placed later; it would add unknowns without equations.
     fn is_reached(&self, link: LinkId) -> bool {
         !self.joints(link).is_empty()
     }
 
-    /// Returns the joints of a link that are known or belong to the group. All others belong to
-    /// later groups only: they move with the placed link, and pass their forces to it themselves.
+    /// Returns the known joints of a link and those of the group. All others belong to later groups
+    /// only: they move with the placed link, and pass their forces to it themselves.
     fn joints(&self, link: LinkId) -> Vec<PointId> {
         let is_here =
             |p: &PointId| self.part.point_known[p.index()] || self.part.points.contains(p);

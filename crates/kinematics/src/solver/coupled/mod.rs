@@ -166,7 +166,7 @@ pub(super) struct Remainder<'a> {
     pub slides: &'a [SlideId],
     /// Links turned by an input relative to another link.
     pub elbows: &'a [LinkId],
-    /// Points of guides, by slide: of every guide on the ground, and of some others.
+    /// Points of guides, by slide: those of all guides on the ground, and some others.
     pub guide_points: &'a [Option<PointId>],
 }
 
