@@ -1,11 +1,11 @@
 //! Change points of linkages whose motion is known in closed form, for every kind of group and of driver.
 //!
 //! A crank r2 turns by psi, and all points behind it follow from psi by elementary geometry: parallelograms,
-//! antiparallelograms, kites, rhombi and their relatives. In front of it a driver gives psi, in closed form as well.
-//! Nothing here uses the solver to find what the solver must find.
+//! antiparallelograms, kites, rhombi and related linkages. In front of it a driver determines psi, also in closed form.
+//! The expected values never come from the solver under test.
 //!
-//! `KRANK_PLANTED=5000 cargo test --release --test properties planted` tries more scenes, `KRANK_PLANTED_SEED` begins
-//! with that one, and scenes that fail are written to the folder named by `KRANK_PLANTED_KEEP`.
+//! `KRANK_PLANTED=5000 cargo test --release --test properties planted` tries more scenes, `KRANK_PLANTED_SEED` sets the
+//! first seed, and failing scenes are written to the folder in `KRANK_PLANTED_KEEP`.
 
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Range, Solver, Workspace};
@@ -15,17 +15,17 @@ use std::fmt;
 use std::ops::{Add, Mul, Sub};
 use std::rc::Rc;
 
-/// Scenes of an ordinary run,
+/// Number of scenes of an ordinary run.
 const ORDINARY: u64 = 180;
-/// and those of them that fail so far, by their seeds: all end too early, where a change point lies close to an end or
-/// to a place where the input turns back. One that fails besides, or one that no longer does, fails the test. Of 1,000
-/// scenes 63 end too early and none is wrong.
+/// Seeds of an ordinary run that fail so far. All end too early, where a change point lies close to an end or to a
+/// point where the input reverses. The test fails if another seed fails, or if one of these passes. Of 1,000 scenes 63
+/// end too early and none is wrong.
 const KNOWN: [u64; 11] = [35, 82, 94, 103, 106, 118, 137, 138, 141, 142, 143];
 
-/// Scenes, by their seeds, that a change point once led into another motion, or that took minutes to open.
+/// Seeds of scenes in which a change point once led into another motion, or that took minutes to open.
 const ONCE_WRONG: [u64; 2] = [906, 3439];
 
-/// A point of the plane, multiplied as a complex number.
+/// A point of the plane, multiplied like a complex number.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     x: f64,
@@ -38,7 +38,7 @@ const fn at(x: f64, y: f64) -> Plane {
     Plane { x, y }
 }
 
-/// The unit vector at an angle in degrees.
+/// Returns the unit vector at an angle in degrees.
 fn unit(degrees: f64) -> Plane {
     let (y, x) = degrees.to_radians().sin_cos();
     at(x, y)
@@ -84,17 +84,17 @@ impl Plane {
         self.x.hypot(self.y)
     }
 
-    /// Its direction in degrees.
+    /// Returns the direction in degrees.
     fn angle(self) -> f64 {
         self.y.atan2(self.x).to_degrees()
     }
 
-    /// Its direction as an angle from a reference, added to that of the reference.
+    /// Returns the direction in degrees, within half a turn of the reference's direction.
     fn angle_near(self, reference: Plane) -> f64 {
         (self * reference.conj()).angle() + reference.angle()
     }
 
-    /// Its mirror image in the line through two points.
+    /// Returns the mirror image in the line through two points.
     fn mirrored(self, from: Plane, to: Plane) -> Plane {
         let line = to - from;
         let along = line * (1.0 / line.norm());
@@ -102,7 +102,7 @@ impl Plane {
     }
 }
 
-/// A decimal as it is typed, exact: so many times 1e-15.
+/// An exact decimal as typed, in units of 1e-15.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Decimal(i128);
 
@@ -139,7 +139,7 @@ impl Add for Decimal {
     }
 }
 
-/// A point as it is typed.
+/// A point as typed.
 #[derive(Clone, Copy, Debug, Default)]
 struct Typed([Decimal; 2]);
 
@@ -148,7 +148,7 @@ impl Typed {
         Typed([p.x, p.y].map(|v| Decimal::rounded(v, places)))
     }
 
-    /// Rounded to so many significant digits.
+    /// Rounds a point to `digits` significant digits.
     fn with_digits(p: Plane, digits: i32) -> Typed {
         Typed([p.x, p.y].map(|v| {
             let before = v.abs().log10().floor() as i32 + 1;
@@ -160,7 +160,8 @@ impl Typed {
         at(self.0[0].value(), self.0[1].value())
     }
 
-    /// Whether both coordinates, moved, have as many digits before the point as before, or more.
+    /// Returns `true` if both coordinates, moved by `by`, have at least as many digits before the decimal point as
+    /// before.
     fn keeps_digits(self, by: Typed) -> bool {
         let digits = |v: Decimal| (v.0.abs() / ONE).to_string().len();
         let mut moved = self.0.into_iter().zip((self + by).0);
@@ -181,7 +182,7 @@ impl fmt::Display for Typed {
     }
 }
 
-/// Random numbers by splitmix64.
+/// A generator of random numbers: splitmix64.
 struct Dice(u64);
 
 impl Dice {
@@ -192,7 +193,7 @@ impl Dice {
         z ^ (z >> 31)
     }
 
-    /// Between two numbers.
+    /// Draws a number between two others.
     fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * (self.bits() >> 11) as f64 / (1_u64 << 53) as f64
     }
@@ -219,7 +220,7 @@ impl Dice {
         }
     }
 
-    /// A length between two, of few decimals.
+    /// Draws a length between two others, with few decimals.
     fn length(&mut self, low: f64, high: f64) -> Decimal {
         let places = self.below(3) as u32 + if high < 20.0 { 1 } else { 0 };
         Decimal::rounded(self.between(low, high), places)
@@ -231,7 +232,7 @@ impl Dice {
 enum Turn {
     /// (x + i y) / 5^n, a unit vector.
     Exact { x: i128, y: i128, fifths: u32 },
-    /// Any angle in degrees; its components are typed with so many digits.
+    /// Any angle in degrees; its components are typed with `digits` digits.
     Rounded { angle: f64, digits: i32 },
 }
 
@@ -258,7 +259,7 @@ impl Turn {
         Turn::Exact { x, y, fifths }
     }
 
-    /// A length in this direction.
+    /// Returns the vector of a length in this direction.
     fn times(self, length: Decimal) -> Typed {
         match self {
             Turn::Exact { x, y, fifths } => {
@@ -271,7 +272,8 @@ impl Turn {
         }
     }
 
-    /// The point at a length in this direction from another one: where it is rounded, to its own digits.
+    /// Returns the point at a length in this direction from `pivot`. A rounded direction rounds the point to its own
+    /// digits.
     fn from(self, pivot: Typed, length: Decimal) -> Typed {
         match self {
             Turn::Exact { .. } => pivot + self.times(length),
@@ -293,18 +295,18 @@ impl Turn {
     }
 }
 
-/// The lines of a scene.
+/// The parts of a scene's text.
 #[derive(Default)]
 struct Draft {
-    /// Points of the frame, and of the base where that turns.
+    /// Points of the frame, or of the base if that turns.
     frame: Vec<(&'static str, Typed)>,
-    /// Points that stay on the ground where the base turns.
+    /// Points that stay on the ground if the base turns.
     ground: Vec<(&'static str, Typed)>,
     links: Vec<Bar>,
     slides: Vec<String>,
     inputs: Vec<String>,
     driver: Vec<String>,
-    /// Whether the frame is a link k, turning about O.
+    /// `true` if the frame is a link k, turning about O.
     has_base: bool,
 }
 
@@ -329,7 +331,7 @@ impl Draft {
         bar.points.push((point, place));
     }
 
-    /// A cylinder from a point to another, named rod.
+    /// Adds a cylinder from a point to another, named rod.
     fn cylinder(&mut self, from: &'static str, to: &str) {
         self.links.push(Bar {
             name: "bar",
@@ -404,24 +406,25 @@ impl fmt::Display for Bar {
     }
 }
 
-/// The motion of all points behind the crank, by its angle in degrees, over more than one turn.
+/// The positions of all points behind the crank as a function of its angle in degrees, over more than one turn.
 type Motion = Rc<dyn Fn(f64) -> Vec<(&'static str, Plane)>>;
 
 /// The linkage behind the crank r2 from A to B.
 struct Group {
     crank: Decimal,
     turn: Turn,
-    /// Whether all frames are as long as they are typed.
+    /// `true` if all frames are exactly as long as typed.
     is_exact: bool,
     motion: Motion,
     /// Angles of the crank at which assemblies meet.
     changes: Vec<f64>,
-    /// Whether it comes back after two turns of the crank only.
+    /// `true` if the linkage returns to its start only after two turns of the crank.
     doubles: bool,
-    /// Points that keep their distance: from, to, by.
+    /// Pairs of points at a constant offset: from, to, offset.
     shifts: Vec<(&'static str, &'static str, Plane)>,
-    /// Links that do not turn, and those that turn as the crank does.
+    /// Links that do not turn.
     still: Vec<&'static str>,
+    /// Links that turn with the crank.
     turning: Vec<&'static str>,
     size: f64,
 }
@@ -441,7 +444,7 @@ const GROUPS: [&str; 12] = [
     "parallelogram and dart",
 ];
 
-/// Where the second group of a chain begins: its crank's pivot, its points and links.
+/// The names of a group in a chain: its crank's pivot, its points and links.
 struct Stage {
     pivot: &'static str,
     pin: &'static str,
@@ -469,7 +472,7 @@ const SECOND: Stage = Stage {
     rocker: "r6",
 };
 
-/// Where the joint of a kite is, whose crank is as long as its frame: from the crank's pivot.
+/// Returns the joint of a kite relative to the crank's pivot. The crank is as long as the frame.
 fn kite(crank: f64, long: f64, angle: f64, frame: Plane) -> Plane {
     let half = 0.5 * (angle - frame.angle());
     let (sin, cos) = half.to_radians().sin_cos();
@@ -532,12 +535,12 @@ impl Group {
         group
     }
 
-    /// Returns `true` if its coupler r3 does not turn.
+    /// Returns `true` if the coupler r3 does not turn.
     fn translates(&self) -> bool {
         self.still.first() == Some(&"r3")
     }
 
-    /// A frame that is not as long as the crank.
+    /// Draws a frame length that differs from the crank's.
     fn frame(&self, scale: f64, dice: &mut Dice) -> Decimal {
         loop {
             let frame = dice.length(0.5 * scale, 4.0 * scale);
@@ -588,7 +591,7 @@ impl Group {
         self.turning.push(of.rocker);
     }
 
-    /// A third crank of a parallelogram, its pivot in line with the others.
+    /// Adds a third crank to a parallelogram, its pivot in line with the others.
     fn third(&mut self, scale: f64, draft: &mut Draft, dice: &mut Dice) {
         let along = dice.length(0.3 * scale, 5.0 * scale);
         let by = self.turn.times(along);
@@ -601,7 +604,7 @@ impl Group {
         self.turning.push("r7");
     }
 
-    /// A dyad on the coupler of a parallelogram, long enough to close everywhere.
+    /// Adds a dyad on the coupler of a parallelogram, long enough to close everywhere.
     fn platform(&mut self, scale: f64, draft: &mut Draft, dice: &mut Dice) {
         let on = at(dice.between(-1.0, 2.0), dice.between(-1.5, 1.5)) * scale;
         let on = Typed::rounded(on, 2);
@@ -628,7 +631,7 @@ impl Group {
         self.shifts.push(("B", "E", on));
     }
 
-    /// A group that does not translate, the last one of its chain.
+    /// Adds a group that does not translate, the last one of its chain.
     fn end(
         &mut self,
         name: &str,
@@ -639,7 +642,7 @@ impl Group {
     ) {
         let pivot = self.at_pivot(draft, of);
         let (middle, a) = (pivot.plane(), self.crank.value());
-        // A second frame has its own direction now and then.
+        // Half of the second frames have their own direction.
         let turn = if of.pin == "B" || dice.chance(2) {
             self.turn
         } else {
@@ -704,14 +707,15 @@ impl Group {
     }
 }
 
-/// The angle in degrees between two sides of a triangle, opposite to the third.
+/// Returns the angle in degrees between two sides of a triangle, from the opposite side; `None` if the triangle does
+/// not close.
 fn corner(side: f64, other: f64, opposite: f64) -> Option<f64> {
     let above = (opposite - side + other) * (opposite + side - other);
     let below = (side + other - opposite) * (side + other + opposite);
     (above >= 0.0 && below >= 0.0).then(|| 2.0 * above.sqrt().atan2(below.sqrt()).to_degrees())
 }
 
-/// The circle of the point that the driver moves: P is at `centre` + `radius` at psi + `ahead`.
+/// The circle of the point moved by the driver: P is at `centre` + `radius` at psi + `ahead`.
 #[derive(Clone, Copy, Debug)]
 struct Circle {
     centre: Plane,
@@ -719,7 +723,7 @@ struct Circle {
     ahead: f64,
 }
 
-/// What turns the crank.
+/// The mechanism that turns the crank.
 #[derive(Clone)]
 enum Front {
     /// A cylinder across the group, whose length rises or falls between two angles of the crank.
@@ -767,7 +771,7 @@ enum Front {
 }
 
 impl Front {
-    /// The crank's angle at a driver's coordinate, and where points in front of it are.
+    /// Returns the crank's angle at a driver's coordinate, and the points in front of it.
     fn psi(&self, q: f64, on: &Circle) -> Option<(f64, Vec<(&'static str, Plane)>)> {
         let by_rod = |from: Plane, near: Plane, rod: f64, side: f64| {
             let line = from - on.centre;
@@ -809,7 +813,7 @@ impl Front {
             } => {
                 let pin = pivot + unit(q) * crank;
                 let arm = pivot - on.centre;
-                // The direction to the pin never turns away from this by a right angle.
+                // A crank longer than the arm keeps the direction to the pin within a right angle of its own.
                 let psi = if crank > arm.norm() {
                     let turned = ((pin - on.centre) * unit(-q)).angle() + q;
                     let apex = corner((pin - on.centre).norm(), on.radius, rod)?;
@@ -862,7 +866,7 @@ impl Front {
     }
 }
 
-/// The range that the driver must have.
+/// The expected range of the driver.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Span {
     Full(f64),
@@ -895,12 +899,13 @@ const DRIVERS: [&str; 14] = [
     "law over time",
 ];
 
-/// How near the end of a range a change point is planted, as a share of it.
+/// Draws the distance of a change point from the end of a range, as a share of it. Returns `None` in a third of all
+/// cases.
 fn share(dice: &mut Dice) -> Option<f64> {
     (!dice.chance(3)).then(|| 10.0_f64.powf(-dice.between(1.0, 9.0)))
 }
 
-/// The lengths of a linkage in front, laid out along x before it is turned about the circle's centre.
+/// The lengths of a linkage in front, laid out along x before its rotation about the circle's centre.
 #[derive(Clone, Copy, Debug)]
 struct Layout {
     kind: &'static str,
@@ -928,7 +933,7 @@ impl Layout {
         layout.is_sound(radius).then_some(layout)
     }
 
-    /// Whether the linkage is of its kind, and not by a hair.
+    /// Returns `true` if the linkage is of its kind by a clear margin.
     fn is_sound(&self, radius: f64) -> bool {
         let [crank, push, rod] = [self.crank, self.push, self.rod].map(Decimal::value);
         let (inner, outer) = ((rod - radius).abs(), rod + radius);
@@ -960,7 +965,7 @@ impl Layout {
         }
     }
 
-    /// The front turned by an angle, with its ground points and the angle of its line as they are typed.
+    /// Returns the front turned by an angle, with its ground points and the angle of its line as typed.
     fn turned(
         &self,
         angle: f64,
@@ -1020,7 +1025,7 @@ impl Layout {
     }
 }
 
-/// The driver's range with a front, from its lengths; the one of two ranges that `choice` says.
+/// Returns the driver's range with a front, from its lengths. `choice` selects one of two ranges.
 fn span_of(front: &Front, on: &Circle, choice: f64) -> Option<Span> {
     match *front {
         Front::Line { .. } | Front::SliderCrank { .. } => Some(Span::Full(360.0)),
@@ -1073,7 +1078,7 @@ fn span_of(front: &Front, on: &Circle, choice: f64) -> Option<Span> {
     }
 }
 
-/// Where the circle of P is, and P's name.
+/// Chooses the point P that the driver moves, and returns its circle and its name.
 fn attached(
     group: &Group,
     scale: f64,
@@ -1118,7 +1123,7 @@ fn attached(
     }
 }
 
-/// A coordinate inside a range, and how near to an end as a share of it.
+/// Draws a coordinate inside a range, in some cases close to an end.
 fn inside(span: Span, dice: &mut Dice) -> f64 {
     let (low, high) = span.ends();
     match (span, share(dice)) {
@@ -1128,15 +1133,16 @@ fn inside(span: Span, dice: &mut Dice) -> f64 {
     }
 }
 
-/// The lines of a driver, ready for the start.
+/// A driver, ready for the start.
 struct Driven {
     front: Front,
     span: Span,
-    /// The key and the value that name the driver, and the key of its coordinate.
+    /// The key and the value that name the driver.
     keys: String,
+    /// The key of the driver's coordinate.
     coordinate: &'static str,
     circle: Circle,
-    /// A coordinate near which a change point is.
+    /// A coordinate close to a planted change point.
     planted: Option<f64>,
 }
 
@@ -1228,7 +1234,7 @@ fn driven(
     }
 }
 
-/// A cylinder from the coupler or the rocker of a parallelogram to its crank.
+/// Adds a cylinder from the coupler or the rocker of a parallelogram to its crank, as the driver.
 fn between(
     group: &Group,
     change: f64,
@@ -1242,7 +1248,7 @@ fn between(
     let by = group.shifts[0].2;
     let places = places.min(10);
     draft.carry("r2", "P", p);
-    // From P to the other end it is by + w, of which w turns with the crank.
+    // The vector from P to the other end is by + w, of which w turns with the crank.
     let side = dice.sign();
     let (pivot, radius, on_coupler) = match dice.chance(2) {
         true => (
@@ -1300,7 +1306,7 @@ fn between(
     })
 }
 
-/// A cylinder from the coupler to the crank of any group.
+/// Adds a cylinder from the coupler to the crank of any group, as the driver.
 fn across(group: &Group, draft: &mut Draft, dice: &mut Dice) -> Option<Driven> {
     let a = group.crank.value();
     let [p, q] = [0.9, 2.0].map(|far| {
@@ -1345,7 +1351,7 @@ fn across(group: &Group, draft: &mut Draft, dice: &mut Dice) -> Option<Driven> {
     })
 }
 
-/// Where a function has its maximum between two angles.
+/// Returns the maximum point of a function between two angles.
 fn maximum(of: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     while high - low > 1e-7 {
         let third = (high - low) / 3.0;
@@ -1357,7 +1363,7 @@ fn maximum(of: &dyn Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
     0.5 * (low + high)
 }
 
-/// Where a crank-rocker turns back: the driver's coordinate of the extreme angle, roughly.
+/// Returns approximately the driver's coordinate at which a crank-rocker reverses.
 fn turning_point(front: &Front, on: &Circle, sense: f64) -> f64 {
     let angle = |q: f64| front.psi(q, on).map_or(f64::NEG_INFINITY, |p| sense * p.0);
     let rough = (0..360)
@@ -1456,21 +1462,21 @@ fn in_front(
     })
 }
 
-/// A scene whose whole motion is known.
+/// A scene with a known motion.
 struct Planted {
     labels: [&'static str; 2],
     text: String,
     group: Group,
     driven: Driven,
-    /// Links with further points: the ends and the point in the link's frame.
+    /// Further points of links: the point's name, the link's ends, and the position in the link's frame.
     carried: Vec<(&'static str, &'static str, &'static str, Plane)>,
-    /// Whole turns by which the crank's angle is ahead at the start.
+    /// Degrees added to psi: 0, or 360 for the other half of a motion that repeats after two turns.
     ahead: f64,
     moved: Plane,
-    /// The point about which the frame turns with the driver.
+    /// The point about which the frame turns with the driver, if it does.
     base: Option<Plane>,
     start: f64,
-    /// Steps of a motion over time: law, to, time.
+    /// The steps of a motion over time: law, target, duration.
     steps: Vec<(&'static str, f64, f64)>,
 }
 
@@ -1509,7 +1515,7 @@ impl Planted {
         };
         let moved = at(dice.between(-far, far), dice.between(-far, far));
         let mut moved = Typed::rounded(moved, 1);
-        // A rounded place with fewer digits would be typed as another one.
+        // A rounded position with fewer digits would be typed as another one.
         if !group.is_exact && draft.frame.iter().any(|&(_, p)| !p.keeps_digits(moved)) {
             moved = Typed::default();
         }
@@ -1574,7 +1580,7 @@ impl Planted {
         Some(planted)
     }
 
-    /// A coordinate to open at: away from change points and from the ends.
+    /// Draws a coordinate for the start, away from change points and from the ends.
     fn opening(&self, dice: &mut Dice) -> Option<Decimal> {
         let (low, high) = self.driven.span.ends();
         let q = Decimal::rounded(low + dice.between(0.03, 0.97) * (high - low), 6);
@@ -1584,7 +1590,7 @@ impl Planted {
         is_clear.then_some(q)
     }
 
-    /// Where all moving points are, before the scene is moved.
+    /// Returns the positions of all moving points, before the scene is moved.
     fn truth(&self, q: f64) -> Option<Vec<(&'static str, Plane)>> {
         let (psi, before) = self.driven.front.psi(q, &self.driven.circle)?;
         let mut points = (self.group.motion)(psi + self.ahead);
@@ -1609,14 +1615,14 @@ impl Planted {
         Some(points)
     }
 
-    /// The pivots at which links with further points begin.
+    /// Returns the pivots at which links with further points begin.
     fn frame_points(&self) -> Vec<(&'static str, Plane)> {
         let far = self.group.shifts.first().map_or(ORIGIN, |s| s.2);
         vec![("A", ORIGIN), ("D", far)]
     }
 }
 
-/// A motion over time that passes every change point and ends as it began.
+/// Draws a motion over time that passes every change point and returns to its start.
 fn steps(start: f64, doubles: bool, dice: &mut Dice) -> Vec<(&'static str, f64, f64)> {
     let turns = if doubles { 720.0 } else { 360.0 };
     let mut steps = Vec::new();
@@ -1637,7 +1643,7 @@ fn steps(start: f64, doubles: bool, dice: &mut Dice) -> Vec<(&'static str, f64, 
     steps
 }
 
-/// Where a motion over time is, by the formulas of its laws.
+/// Returns the position of a motion over time, by the formulas of its laws.
 fn position(start: f64, steps: &[(&'static str, f64, f64)], mut time: f64) -> f64 {
     let mut from = start;
     for &(law, to, takes) in steps {
@@ -1658,16 +1664,16 @@ fn position(start: f64, steps: &[(&'static str, f64, f64)], mut time: f64) -> f6
     from
 }
 
-/// What is wrong with a scene.
+/// The failures of a scene.
 #[derive(Debug, Default)]
 struct Verdict {
     wrong: Option<String>,
     cut: Option<String>,
-    /// Change points that are not reported.
+    /// A change point missing from the report.
     silent: Option<String>,
 }
 
-/// A scene opened by krank, held against its truth.
+/// A scene opened by krank, compared with its known motion.
 struct Trial<'a> {
     planted: &'a Planted,
     solver: Solver,
@@ -1677,7 +1683,7 @@ struct Trial<'a> {
     links: BTreeMap<String, LinkId>,
 }
 
-/// Rounding in the tests's own formulas, as a part of the size.
+/// Rounding error of the test's own formulas, relative to the size.
 const ROUGH: f64 = 2e-6;
 
 impl Planted {
@@ -1732,7 +1738,7 @@ impl Planted {
         verdict
     }
 
-    /// Coordinates of the driver to look at: all over the range, around change points, at the ends.
+    /// Returns coordinates of the driver to check: over the whole range, around change points, at the ends.
     fn coordinates(&self) -> Vec<f64> {
         let (low, high) = self.driven.span.ends();
         let wide = high - low;
@@ -1761,7 +1767,7 @@ impl Planted {
         all
     }
 
-    /// The sine of how far the crank is from a change point.
+    /// Returns the absolute sine of the crank's angle from the nearest change point, at least 1e-16.
     fn sine(&self, q: f64) -> f64 {
         let psi = self.driven.front.psi(q, &self.driven.circle);
         let psi = psi.map_or(0.0, |p| p.0);
@@ -1770,7 +1776,7 @@ impl Planted {
         sines.fold(1.0, f64::min).max(1e-16)
     }
 
-    /// The coordinates at which the crank passes a change point, found from the crank's angle.
+    /// Returns the coordinates at which the crank passes a change point, found from the crank's angle.
     fn change_points(&self) -> Vec<f64> {
         const STEPS: u32 = 720;
         let (low, high) = self.driven.span.ends();
@@ -1787,7 +1793,7 @@ impl Planted {
         for change in &self.group.changes {
             let off = |q: f64| ((psi(q) - change) / 360.0).rem_euclid(1.0) - 0.5;
             for k in 0..STEPS {
-                // The difference jumps from 0.5 to -0.5 where the crank passes.
+                // The difference jumps between 0.5 and -0.5 at a change point.
                 let [mut a, mut b] = [place(k), place(k + 1)];
                 if off(a) * off(b) < 0.0 && (off(a) - off(b)).abs() > 0.5 {
                     let sign = off(a).signum();
@@ -1870,14 +1876,14 @@ impl Trial<'_> {
         Some(at(p.x, p.y))
     }
 
-    /// The bound of a point, or what plain rounding may amount to.
+    /// Returns the error bound of a point, if it has one.
     fn bound(&self, name: &str) -> Option<f64> {
         let id = *self.points.get(name)?;
         let (value, ball) = (self.state.state().position(id)?, self.balls.position(id)?);
         Some(ball.x.bound(value.x)?.hypot(ball.y.bound(value.y)?))
     }
 
-    /// Points that are somewhere else, as on another assembly.
+    /// Reports a point that is far from its known position, as on another assembly.
     fn far_off(&self, q: f64, truth: &[(&'static str, Plane)]) -> Option<String> {
         let planted = self.planted;
         let rounding = 1e-15 * planted.moved.norm() + ROUGH * planted.group.size;
@@ -1894,7 +1900,7 @@ impl Trial<'_> {
 
     fn off(&self, q: f64, truth: &[(&'static str, Plane)]) -> Option<String> {
         let far = self.far_off(q, truth);
-        // Where the frame's coordinates are rounded, the lengths are not quite those of the truth.
+        // If the frame's coordinates are rounded, the lengths differ slightly from those of the known motion.
         match self.planted.group.is_exact {
             true => far
                 .or_else(|| self.shifts_off(q))
@@ -1903,7 +1909,7 @@ impl Trial<'_> {
         }
     }
 
-    /// Points that must keep their distance, held against their bounds.
+    /// Reports points that do not keep their offset, within their bounds.
     fn shifts_off(&self, q: f64) -> Option<String> {
         let planted = self.planted;
         let turned = if planted.base.is_some() {
@@ -1931,7 +1937,7 @@ impl Trial<'_> {
         ))
     }
 
-    /// Links that must not turn, or turn as the crank does.
+    /// Reports a link that turns but must not, or that does not turn with the crank.
     fn rates_off(&self, q: f64) -> Option<String> {
         let group = &self.planted.group;
         let still = group.still.iter().map(|link| (*link, "k"));
@@ -1953,7 +1959,7 @@ impl Trial<'_> {
         })
     }
 
-    /// Change points that the crank passes and that are not reported.
+    /// Reports a change point that the crank passes and the solver does not list.
     fn judge_change_points(&self, verdict: &mut Verdict) {
         let motion = self.solver.motion();
         let (period, wide) = match motion.range {

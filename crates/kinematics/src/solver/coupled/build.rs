@@ -1,11 +1,11 @@
-//! How a coupled group is made: the choice of its unknowns, a spot for every joint, and the list of
-//! the equations between them.
+//! Builds a coupled group: chooses its unknowns, finds a spot for every joint, and lists the
+//! equations between the spots.
 
 use super::{ArmSeat, Base, Bearing, GroupEquation, Remainder, Spot, Turning};
 use crate::solver::network::ClassId;
 use crate::{Body, Constant, Input, LinkId, PointId, SlideId, Vec2};
 
-/// Builds a group.
+/// A coupled group under construction.
 pub(super) struct Maker<'a> {
     part: &'a Remainder<'a>,
     pub(super) spots: Vec<(PointId, Spot)>,
@@ -41,7 +41,7 @@ impl<'a> Maker<'a> {
         maker
     }
 
-    /// Whether a link of the group is more than a distance between two of its points.
+    /// Returns `true` if a link of the group is more than a distance between two of its points.
     fn is_frame(&self, link: LinkId) -> bool {
         !self.part.network.is_bar(link)
     }
@@ -78,7 +78,9 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// How a link turns, and the factor that brings its local vectors into the frame of that.
+    /// Returns the known link or the class with which a link turns, and the factor that rotates the
+    /// link's local vectors into its frame. Returns `None` if the link's class is neither known nor
+    /// an unknown of the group.
     fn turning(&self, link: LinkId) -> Option<(Turning, Vec2<Constant>)> {
         let network = self.part.network;
         let class = network.class(link);
@@ -89,8 +91,9 @@ impl<'a> Maker<'a> {
         Some((Turning::Unknown(i), network.turn[link.index()]))
     }
 
-    /// A place `local` in a link, seen from one of its points that has a base of its own; the joint
-    /// `end` if there is one.
+    /// Returns the spot at the position `local` on a link, relative to its joint `foot`. `end` is
+    /// the joint at that position, if any. Returns `None` if `foot` has no spot without an arm, or
+    /// if the link's direction is not part of the group.
     fn on_link(
         &self,
         link: LinkId,
@@ -122,14 +125,14 @@ impl<'a> Maker<'a> {
             .collect()
     }
 
-    /// Whether a link has a joint in the group, or a known one. A link that is merely locked to one
-    /// of the group's has its place found later, and would bring unknowns without equations.
+    /// Returns `true` if a link has a known joint or one of the group's own. A link merely locked
+    /// to one of the group's links is placed later; it would add unknowns without equations.
     fn is_reached(&self, link: LinkId) -> bool {
         !self.joints(link).is_empty()
     }
 
-    /// The joints of a link that are known or the group's own. Its others are joints of later groups
-    /// alone: they ride on the link once it has its place, and hand it their forces themselves.
+    /// Returns the known joints of a link and those of the group. All others belong to later groups
+    /// only: they move with the placed link, and pass their forces to it themselves.
     fn joints(&self, link: LinkId) -> Vec<PointId> {
         let is_here =
             |p: &PointId| self.part.point_known[p.index()] || self.part.points.contains(p);
@@ -137,7 +140,7 @@ impl<'a> Maker<'a> {
         joints.filter(is_here).collect()
     }
 
-    /// Gives every joint of the group a spot: on a frame where it can be, free otherwise.
+    /// Gives every joint of the group a spot: on a frame if possible, or else a free one.
     pub(super) fn place_joints(&mut self) {
         for link in self.frames() {
             let joints = self.joints(link);
@@ -166,7 +169,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// The joint of a frame from which its others are seen: a known one, or else a free one.
+    /// Returns the joint of a frame from which the other joints are measured: a known one if
+    /// possible, or else a free one. Creates a free spot if neither exists.
     fn foot(&mut self, link: LinkId, joints: &[PointId]) -> PointId {
         let bare = |spot: Spot| spot.arm.is_none();
         let known = joints
@@ -193,7 +197,7 @@ impl<'a> Maker<'a> {
                 .is_some_and(|l| l.local(foot).is_some())
         );
         let spot = self.free_spot();
-        // A joint that sits on another frame's arm becomes free, and is tied to that arm.
+        // A joint on another frame's arm becomes free, with an equation that ties it to that arm.
         if let Some((_, there)) = self.spots.iter_mut().find(|(p, _)| *p == foot) {
             let arm = std::mem::replace(there, spot.clone());
             self.equations.push(GroupEquation::Meeting {
@@ -295,7 +299,7 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// The point of a guide on the ground.
+    /// Returns the spot at the point of a guide on the ground.
     fn on_ground(&self, slide: SlideId) -> Option<Spot> {
         let base = Base::Known(self.part.guide_points[slide.index()]?);
         let ground = Turning::Known(self.part.network.ground());

@@ -1,4 +1,4 @@
-//! How a coupled group follows a length: J dz = -(what the length does to the equations).
+//! Differentiates a coupled group by a length: J dz = -(derivative of the equations by the length).
 
 use super::{Coupled, Scratch};
 use crate::solver::lu;
@@ -6,8 +6,8 @@ use crate::solver::state::State;
 use crate::{Dual, Number, Vec2};
 
 impl Coupled {
-    /// Takes what was found in doubles, gives it its derivatives, and places with them what the group places;
-    /// whether it could.
+    /// Computes the derivatives of the solution in `state` by a length, and writes the group's
+    /// points and links into `dual`. Returns `false` if the matrix is singular.
     pub(in crate::solver) fn by_length(
         &self,
         q: Dual,

@@ -1,17 +1,17 @@
-//! The ways in which textbooks solve a group's equations, for comparison: Newton's method at a
-//! tolerance, one correction from a better residual, and halving an interval.
+//! Solves a group's equations by textbook methods, for comparison: Newton's method with a
+//! tolerance, one correction from a more precise residual, and bisection.
 
 use super::{Base, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
 use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
 
-/// Newton's method has failed where it needs more steps: quadratic convergence takes four or five.
+/// Maximum number of Newton steps: quadratic convergence takes four or five.
 const MAX_STEPS: u32 = 50;
-/// Halvings of half a turn after which no double lies between the ends.
+/// Maximum number of bisections of half a turn. After these, no double lies between the ends.
 const MAX_HALVINGS: u32 = 60;
 
-/// How the one unknown of a group is an angle.
+/// The single unknown angle of a group, with the condition that closes the group.
 #[derive(Clone, Debug)]
 pub(in crate::solver) struct Closing(ClosingWay);
 
@@ -21,12 +21,13 @@ pub(in crate::solver) struct Closing(ClosingWay);
     reason = "a group has one, and a copy of it is made once"
 )]
 enum ClosingWay {
-    /// It is one: a link turns until the only equation holds.
+    /// The unknown is an angle: a link turns until the only equation holds.
     Turn,
-    /// A free joint goes round a known place until the other equation holds.
+    /// A free joint moves on a circle about a known point until the other equation holds.
     Circle {
-        /// The place, and how far from it the joint is.
+        /// The centre of the circle.
         centre: Spot,
+        /// The radius of the circle.
         length: f64,
         /// The row of the other equation.
         row: usize,
@@ -34,15 +35,15 @@ enum ClosingWay {
 }
 
 impl Coupled {
-    /// Puts a z changed by so much into the scratch.
+    /// Sets the z in the scratch to `base` changed by `change`.
     pub(in crate::solver) fn put(&self, base: &[f64], change: &[f64], scratch: &mut Scratch) {
         let room = self.open(scratch);
         room.z.copy_from_slice(base);
         self.shift(room.z, change);
     }
 
-    /// Full steps from the z in the scratch until one is no larger than the tolerance, and how many that
-    /// were; `None` where it did not come to pass.
+    /// Takes full Newton steps from the z in the scratch until one is at most the tolerance, and
+    /// returns their number. Returns `None` without convergence or at a singular matrix.
     pub(in crate::solver) fn newton<T: Number>(
         &self,
         q: T,
@@ -60,8 +61,8 @@ impl Coupled {
         None
     }
 
-    /// One step of Newton's method from the residuals in the room, and its largest component; `None`
-    /// where the matrix is singular.
+    /// Takes one Newton step from the residuals in `room`, and returns its largest component.
+    /// Returns `None` if the matrix is singular.
     fn step<T: Number>(&self, q: T, state: &State<T>, room: &mut Room<'_, T>) -> Option<f64> {
         let n = self.unknowns();
         self.jacobian(q, state, room);
@@ -75,8 +76,9 @@ impl Coupled {
         size.is_finite().then_some(size)
     }
 
-    /// One correction of the z in the scratch, from residuals in twice the precision. `exact` and its
-    /// scratch lend the room; the rest is done in doubles.
+    /// Corrects the z in the scratch once, from residuals in double-double. `exact` holds the
+    /// inputs for these, and `exact_scratch` is a buffer; all else is in doubles. Returns `false`
+    /// if the matrix is singular.
     pub(in crate::solver) fn polish(
         &self,
         q: f64,
@@ -97,7 +99,7 @@ impl Coupled {
         self.step(q, state, &mut room).is_some()
     }
 
-    /// The sign of the determinant at the z in the scratch; 0 where it is singular.
+    /// Returns the sign of the determinant at the z in the scratch, or 0 if the matrix is singular.
     pub(in crate::solver) fn side_at(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
         let mut room = self.open(scratch);
         self.jacobian(q, state, &mut room);
@@ -106,7 +108,7 @@ impl Coupled {
 
     // ---- one unknown angle
 
-    /// How the group has one unknown angle and one condition by which it closes, if it has.
+    /// Returns the closing condition of a group with one unknown angle, or `None` for other groups.
     pub(in crate::solver) fn closing(&self) -> Option<Closing> {
         match (self.free, self.turning.len(), &self.equations[..]) {
             (0, 1, [GroupEquation::Distance { .. } | GroupEquation::Slot { .. }]) => {
@@ -120,11 +122,12 @@ impl Coupled {
         }
     }
 
-    /// Halves half a turn in which the condition changes its sign once, the one that the side tells (the
-    /// sign of the determinant), and puts the angle found into z. How often; `None` without a change of sign.
+    /// Bisects the half turn on which the condition changes its sign once, and sets z to the angle
+    /// found. `side`, the sign of the determinant, selects the half turn. Returns the number of
+    /// bisections, or `None` without a change of sign.
     ///
-    /// The condition is a + b cos(angle - c) in all its forms, so that its extremes, between which
-    /// exactly one closing lies on either side, follow from three values.
+    /// The condition always has the form a + b cos(angle - c). Its extrema follow from three
+    /// values, and exactly one solution lies on either side between them.
     pub(in crate::solver) fn bisect(
         &self,
         Closing(way): &Closing,
@@ -142,7 +145,8 @@ impl Coupled {
         let [east, north, west] = [0.0, quarter, 2.0 * quarter].map(&mut value);
         let middle = 0.5 * (east + west);
         let highest = (north - middle).atan2(east - middle);
-        // From the highest value down, clockwise where the condition grows with the angle.
+        // From the maximum down, clockwise if the condition increases with the angle at the
+        // solution.
         let sense = match way {
             ClosingWay::Circle { row: 0, .. } => side,
             ClosingWay::Turn | ClosingWay::Circle { .. } => -side,
@@ -168,7 +172,7 @@ impl Coupled {
         Some(halvings)
     }
 
-    /// Puts the group at an angle, and says how far the condition is from holding there.
+    /// Moves the group to an angle, and returns the residual of the condition there.
     fn condition(
         &self,
         way: &ClosingWay,
@@ -194,7 +198,8 @@ impl Coupled {
     }
 }
 
-/// The circle on which an equation keeps a free joint, if it does; `row` is that of the other one.
+/// Returns the circle on which an equation keeps a free joint, if any. `row` is the row of the
+/// other equation.
 fn circle(equation: &GroupEquation, row: usize) -> Option<Closing> {
     let GroupEquation::Distance { a, b, length, .. } = equation else {
         return None;

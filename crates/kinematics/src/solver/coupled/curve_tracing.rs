@@ -1,9 +1,10 @@
-//! From some solutions of a group to the others: one equation is let go of, and the curve on which
-//! all others hold is followed around; wherever the equation holds again there is a solution.
+//! Finds further solutions of a group from known ones: drops one equation, and follows the curve on
+//! which all others hold. Wherever the dropped equation holds on that curve, there is a solution.
 //!
-//! It is the old way with a triad - take out one leg, turn what is left, a four-bar, through its
-//! motion, and see where the leg fits - for any group, without a closed form, and in turn for every
-//! equation: what one curve does not join another may.
+//! This generalises the classical method for a triad: remove one leg, move the remaining four-bar
+//! through its motion, and see where the leg fits. It applies to any group, without a closed form,
+//! and drops every equation in turn. Solutions that one curve does not connect may be connected by
+//! another.
 
 use super::{Coupled, Scratch};
 use crate::Vec2;
@@ -11,28 +12,31 @@ use crate::numeric::root;
 use crate::solver::lu;
 use crate::solver::state::State;
 
-/// Steps along a curve, in scaled lengths and radians: at the most, and below which a curve is given up:
-/// there it branches.
+/// Maximum step along a curve, in scaled lengths and radians.
 const MAX_LEN: f64 = 0.04;
+/// Minimum step, below which a curve is given up: there it branches.
 const MIN_LEN: f64 = 1e-5;
-/// The correction behind a step may be this part of it: more could be another curve.
+/// Maximum first correction after a step, relative to the step: a larger one could lead to another
+/// curve.
 const STRAIN: f64 = 0.1;
-/// So much a curve may turn in one step, as a cosine.
+/// Minimum cosine of the angle by which a curve may turn in one step.
 const BEND: f64 = 0.98;
-/// Corrections from a predicted place back to the curve, and when they are small enough.
+/// Maximum number of corrections from a predicted point back to the curve.
 const CORRECTIONS: usize = 6;
+/// Maximum size of the last correction, in scaled lengths and radians.
 const ON_CURVE: f64 = 1e-10;
-/// Where the equation misses by less than this and begins to miss by more again, two solutions may lie
-/// within one step, or have just vanished.
+/// Maximum residual of a near miss. Where the dropped equation's residual has a minimum below this,
+/// two solutions may lie within one step, or have just vanished.
 const NEAR_MISS: f64 = 0.05;
-/// A slide may run away: no joint is followed further than this, in scaled lengths.
+/// Maximum coordinate of a joint, in scaled lengths: beyond it the curve is given up, since a slide
+/// may run away.
 const FAR: f64 = 64.0;
-/// Matrices that are factored in all, for a group of one unknown; one of n unknowns counts n^3 times.
+/// Budget of factored matrices for a group of one unknown; each matrix of n unknowns uses n^3.
 const WORK: usize = 20_000_000;
-/// More solutions are not looked for.
+/// Maximum number of solutions from which curves are followed.
 const MAX_COUNT: usize = 256;
 
-/// A place on a curve: z, the curve's direction there, and by how much the equation misses.
+/// A point on a curve: z, the curve's unit tangent there, and the residual of the dropped equation.
 #[derive(Clone)]
 struct CurvePlace {
     z: Vec<f64>,
@@ -40,7 +44,7 @@ struct CurvePlace {
     miss: f64,
 }
 
-/// Someone who follows curves of a group.
+/// Follows curves of a group, and collects the solutions on them.
 pub(in crate::solver) struct Tracer<'a> {
     group: &'a Coupled,
     q: f64,
@@ -48,12 +52,12 @@ pub(in crate::solver) struct Tracer<'a> {
     scratch: &'a mut Scratch,
     work: usize,
     roots: Vec<Vec<f64>>,
-    /// The solutions and equations whose curve has been followed.
+    /// Pairs of solution and dropped equation whose curve has been followed.
     followed: Vec<(usize, usize)>,
 }
 
 impl Coupled {
-    /// The solutions that can be reached from these, and these themselves.
+    /// Returns the given solutions and all others reached from them along curves.
     pub(in crate::solver) fn relatives(
         &self,
         q: f64,
@@ -82,7 +86,8 @@ impl Coupled {
 }
 
 impl Tracer<'_> {
-    /// Follows the curve of an equation through a solution, once around, or to both its ends.
+    /// Follows the curve of an equation through a solution: once around if it closes, or else to
+    /// both its ends.
     fn follow(&mut self, root: usize, row: usize) {
         if self.followed.contains(&(root, row)) {
             return;
@@ -94,13 +99,13 @@ impl Tracer<'_> {
         }
     }
 
-    /// Follows it one way; whether it came around.
+    /// Follows the curve in one direction. Returns `true` if it closes.
     fn goes_around(&mut self, root: usize, row: usize, sense: f64) -> bool {
         let Some(mut here) = self.begin(root, row, sense) else {
             return false;
         };
         let mut step = 0.25 * MAX_LEN;
-        // A solution is a place where nothing misses: the sign is that of the way on.
+        // The residual of a solution is zero: rounding must not give it a sign.
         here.miss = 0.0;
         let mut before = f64::INFINITY;
         let mut is_first = true;
@@ -109,7 +114,8 @@ impl Tracer<'_> {
                 step *= 0.5;
                 continue;
             };
-            // Solutions in a row: the group moves although its inputs stand still.
+            // Consecutive points that are all solutions: the group moves while its inputs are
+            // fixed.
             let is_free = !is_first && here.miss.abs().max(there.miss.abs()) <= ON_CURVE;
             if is_free || there.z.iter().any(|v| v.abs() > FAR) {
                 return false;
@@ -137,7 +143,7 @@ impl Tracer<'_> {
         false
     }
 
-    /// The number of a solution, a new one's too.
+    /// Returns the number of a solution, and adds it if it is new.
     fn known(&mut self, z: Vec<f64>) -> usize {
         let mut known = self.roots.iter();
         let known = known.position(|other| {
@@ -150,10 +156,11 @@ impl Tracer<'_> {
         })
     }
 
-    /// A solution as a place on the curve of an equation.
+    /// Returns a solution as a point on the curve of an equation; `None` if the curve is singular
+    /// there.
     fn begin(&mut self, root: usize, row: usize, sense: f64) -> Option<CurvePlace> {
         let z = self.roots[root].clone();
-        // Any direction in which the equation changes: its own rates.
+        // Any direction along which the equation changes will do: its own gradient.
         let mut room = self.group.open(self.scratch);
         room.z.copy_from_slice(&z);
         self.group.jacobian(self.q, self.state, &mut room);
@@ -163,7 +170,7 @@ impl Tracer<'_> {
         self.direction(row, z, &along)
     }
 
-    /// One step along the curve, if it is as straight as that.
+    /// Takes one step along the curve. Returns `None` if the curve is not straight enough for it.
     fn advance(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<CurvePlace> {
         let (z, strain) = self.land(row, from, step)?;
         if strain > STRAIN * step {
@@ -174,7 +181,8 @@ impl Tracer<'_> {
         (cosine >= BEND).then_some(place)
     }
 
-    /// The place of the curve beside a step along its direction; and how far beside.
+    /// Returns the point of the curve reached from a step along its tangent, and the size of the
+    /// first correction. Returns `None` if the corrections do not converge.
     fn land(&mut self, row: usize, from: &CurvePlace, step: f64) -> Option<(Vec<f64>, f64)> {
         let n = self.group.unknowns();
         let mut room = self.group.open(self.scratch);
@@ -201,7 +209,8 @@ impl Tracer<'_> {
         None
     }
 
-    /// A place of the curve with its direction, onwards as seen along another.
+    /// Computes the curve's tangent at a point, oriented along `along`. Returns `None` at a
+    /// singular point.
     fn direction(&mut self, row: usize, z: Vec<f64>, along: &[f64]) -> Option<CurvePlace> {
         let n = self.group.unknowns();
         self.work = self.work.saturating_sub(n.pow(3));
@@ -220,7 +229,8 @@ impl Tracer<'_> {
         norm.is_finite().then_some(CurvePlace { z, along, miss })
     }
 
-    /// The solution between two places of a curve on whose way the equation changes its sign.
+    /// Returns the solution between two points of a curve at which the dropped equation has
+    /// different signs.
     fn between(
         &mut self,
         row: usize,
@@ -237,7 +247,8 @@ impl Tracer<'_> {
         self.settled(&z, false)
     }
 
-    /// The solution at a place, by Newton; or the one downhill of it.
+    /// Returns the solution found from z by Newton's method. With `downhill`, damped steps first
+    /// reduce the residuals.
     fn settled(&mut self, z: &[f64], downhill: bool) -> Option<Vec<f64>> {
         self.group.open(self.scratch).z.copy_from_slice(z);
         let settled = if downhill {
@@ -250,21 +261,24 @@ impl Tracer<'_> {
     }
 }
 
-/// Two solutions that are further apart than this, in units of about the longest link and in radians, are not one.
+/// Maximum distance of two approximations of one solution, in units of about the longest link and
+/// in radians.
 pub(in crate::solver) const SAME: f64 = 1e-6;
-/// Two solutions that are closer than this, the square root of a rounding, cannot be told apart.
+/// Minimum distance of distinguishable solutions: the square root of the rounding error.
 const MIN_DISTANCE: f64 = 1e-8;
-/// Halfway between two solutions that are not one the equations miss by more than this: the rounding of their terms.
+/// Maximum residual halfway between two approximations of one solution: the rounding error of the
+/// terms. Between different solutions it is larger.
 const HALFWAY: f64 = 4.0 * f64::EPSILON;
 
-/// The largest difference of two solutions.
+/// Returns the largest difference between the components of two solutions.
 pub(in crate::solver) fn distance(a: &[f64], b: &[f64]) -> f64 {
     let differences = a.iter().zip(b).map(|(a, b)| (a - b).abs());
     differences.fold(0.0, f64::max)
 }
 
 impl Coupled {
-    /// Whether two solutions are the same one but for rounding. Uses the room in the scratch.
+    /// Returns `true` if two solutions differ by rounding error only. Overwrites the z in the
+    /// scratch.
     pub(in crate::solver) fn is_one(
         &self,
         q: f64,

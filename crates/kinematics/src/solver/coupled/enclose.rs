@@ -1,12 +1,13 @@
-//! Bounds of a coupled group.
+//! Encloses the solution of a coupled group.
 //!
-//! Krawczyk's operator on the group's own equations: with R the inverse of the matrix at the
-//! computed z, every solution in the box z + [-t, t] lies in z - R F(z) + (I - R J)[-t, t], J the
-//! matrix over the whole box; where this falls inside the box, there is exactly one. The rates
-//! are solutions of linear equations with the same matrix, and are enclosed likewise.
+//! Krawczyk's operator is applied to the group's own equations. With R the inverse of the matrix at
+//! the computed z, every solution in the box z + [-t, t] lies in z - R F(z) + (I - R J)[-t, t], J
+//! the matrix over the whole box. If this lies inside the box, the box contains exactly one
+//! solution. The rates are solutions of linear equations with the same matrix, and are enclosed
+//! likewise.
 //!
-//! The matrix is one of balls; the equations are held against the computed state in twice the digits, so
-//! that what they ask for is known with its sign.
+//! The matrix consists of balls. The equations are evaluated at the computed state in
+//! double-double, so that their residuals are known with their signs.
 
 use super::{Coupled, Room, Scratch};
 use crate::arithmetic::{Sharp, U};
@@ -15,33 +16,34 @@ use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Ball, Double, Number, Vec2};
 
-/// How much larger than the first step the box is that has to prove itself.
+/// The size of the box in which a solution must be proved, relative to the first step.
 pub(super) const BOX: f64 = 2.0;
-/// No row of I - R J may be larger than this in sum; with the box twice the step it then proves
-/// itself.
+/// Maximum row sum of |I - R J|. A box of twice the step then contains a solution.
 pub(super) const CONTRACTION: f64 = 0.5;
 
-/// What a step of Newton for the length of a direction rounds.
+/// The rounding error of a Newton step for the length of a direction.
 pub(super) const UNIT: f64 = 64.0 * U * U;
 
-/// The inverse R of the matrix, and what is left of I - R J, row by row.
+/// The inverse R of a matrix, with bounds of |I - R J| by rows.
 pub(super) struct Inverse<'a> {
     pub(super) n: usize,
     pub(super) rows: &'a mut [f64],
+    /// A bound of each row's sum of |I - R J|.
     pub(super) left: &'a mut [f64],
-    /// The largest of these.
+    /// The largest entry of `left`.
     pub(super) most: f64,
 }
 
-/// The inputs of a group, and the room for its equations: in balls for the matrix, in twice the digits for
-/// what they miss by.
+/// The inputs of a group and buffers for its equations: balls for the matrix, double-double with a
+/// radius for the residuals.
 pub(in crate::solver) struct Views<'a> {
     pub balls: (&'a State<Ball>, &'a mut Scratch<Ball>),
     pub sharp: (&'a mut State<Sharp>, &'a mut Scratch<Sharp>),
 }
 
 impl Coupled {
-    /// Encloses what the group places, in twice the digits; whether a solution was proved.
+    /// Encloses the points and links of the group in double-double. Returns `true` if a solution is
+    /// proved.
     pub(in crate::solver) fn enclose(
         &self,
         q: (Ball, Sharp),
@@ -59,7 +61,8 @@ impl Coupled {
         proved
     }
 
-    /// Room for [`Coupled::enclose`]: R, a copy of the matrix, two vectors, and z with its rates.
+    /// Returns the length of the buffer for [`Coupled::enclose`]: R, a copy of the matrix, two
+    /// vectors, and z with its rates.
     pub(in crate::solver) fn work(&self) -> usize {
         let n = self.unknowns();
         2 * n * n + 2 * n + self.width() + 2 * n
@@ -106,7 +109,7 @@ impl Coupled {
         self.spread(z, BOX * size, box_room.z);
         self.jacobian(q.0, inputs, &mut box_room);
         inverse.measure(box_room.matrix);
-        // Written so that NaN proves nothing.
+        // Negated so that NaN proves nothing.
         if !(inverse.most <= CONTRACTION) {
             return None;
         }
@@ -129,7 +132,7 @@ impl Coupled {
         Some(())
     }
 
-    /// The computed z, with directions of the length 1.
+    /// Copies the computed z into `room`, with directions scaled to length 1, and clears the rates.
     fn centre(&self, z: &[f64], room: &mut Room<'_, Sharp>) {
         let joints = 2 * self.free;
         for (to, &z) in room.z.iter_mut().zip(z) {
@@ -137,7 +140,7 @@ impl Coupled {
         }
         for d in room.z[joints..].chunks_exact_mut(2) {
             let stored = Vec2::new(d[0].mid, d[1].mid);
-            // One step of Newton for the length, which is off by some u.
+            // One Newton step corrects the length, which is off by a few u.
             let long = stored.norm2() - Double::ONE;
             let unit = stored * (Double::ONE - long.scaled(0.5));
             let unit = unit.map(|v| Sharp::new(v, long.hi * long.hi + UNIT));
@@ -147,7 +150,7 @@ impl Coupled {
         room.second.fill(Sharp::default());
     }
 
-    /// The z that lie within `radius` of the computed one in every unknown.
+    /// Sets `balls` to all z within `radius` of the computed one in every unknown.
     fn spread(&self, z: &[f64], radius: f64, balls: &mut [Ball]) {
         let joints = 2 * self.free;
         for (i, (ball, &z)) in balls.iter_mut().zip(z).enumerate() {
@@ -156,7 +159,7 @@ impl Coupled {
         }
     }
 
-    /// Moves z by what the residuals ask for, with a bound.
+    /// Moves z by the Newton step for the residuals, with a bound.
     fn advance(&self, inverse: &Inverse<'_>, room: &mut Room<'_, Sharp>) {
         let joints = 2 * self.free;
         let around = inverse.most_step(room.right) / (1.0 - inverse.most);
@@ -168,7 +171,7 @@ impl Coupled {
             }
             let at = joints + 2 * (i - joints);
             let d = Vec2::new(room.z[at], room.z[at + 1]);
-            // Turned to the second order.
+            // Rotated to second order.
             let angle = step.mid.hi.abs() + step.radius;
             let along = Sharp::new(Double::exactly(-0.5 * step.mid.hi * step.mid.hi), 0.0);
             let more = step.mid.hi.abs() * step.radius + angle * angle * angle;
@@ -181,7 +184,7 @@ impl Coupled {
 }
 
 impl Inverse<'_> {
-    /// Inverts a matrix, which is used up.
+    /// Inverts a matrix, and overwrites it. Returns `None` if it is singular.
     pub(super) fn fill(
         &mut self,
         matrix: &mut [f64],
@@ -205,20 +208,21 @@ impl Inverse<'_> {
         &self.rows[i * self.n..(i + 1) * self.n]
     }
 
-    /// The largest component of |R| v.
+    /// Returns the largest component of |R| |v|, v the residuals.
     pub(super) fn most_step(&self, residuals: &[Sharp]) -> f64 {
         let size = |r: Sharp| r.mid.hi.abs() + r.radius;
         let step = |i| -> f64 {
             let terms = self.row(i).iter().zip(residuals);
             terms.map(|(r, &v)| r.abs() * size(v)).sum()
         };
-        // Written so that NaN is kept.
+        // Ordered so that NaN is kept.
         (0..self.n)
             .map(step)
             .fold(0.0, |m, v| if v <= m { m } else { v })
     }
 
-    /// One component of the step that the residuals ask for; `around` bounds all of them.
+    /// Returns one component of the Newton step for the residuals, with a bound; `around` bounds
+    /// the size of all components.
     pub(super) fn step(&self, i: usize, residuals: &[Sharp], around: f64) -> Sharp {
         let (mut step, mut terms, mut fuzz) = (0.0, 0.0, 0.0);
         for (r, v) in self.row(i).iter().zip(residuals) {
@@ -230,7 +234,7 @@ impl Inverse<'_> {
         Sharp::new(Double::exactly(step), fuzz + self.left[i] * around + round)
     }
 
-    /// How large I - R J can be in every row, J any matrix of a matrix of balls.
+    /// Bounds the row sums of |I - R J| for every matrix J in a matrix of balls, and their maximum.
     pub(super) fn measure(&mut self, matrix: &[Ball]) {
         let n = self.n;
         let rounding = (n as f64 + 2.0) * U;
@@ -248,14 +252,14 @@ impl Inverse<'_> {
                 sum += left.abs() + off;
             }
             self.left[i] = sum;
-            // Written so that NaN is kept.
+            // Negated so that NaN is kept.
             if !(sum <= self.most) {
                 self.most = sum;
             }
         }
     }
 
-    /// Moves computed solutions of a linear system by what their residuals say, with a bound.
+    /// Corrects computed solutions of a linear system by their residuals, with a bound.
     fn correct(&self, residuals: &[Sharp], solutions: &mut [Sharp]) {
         let around = self.most_step(residuals) / (1.0 - self.most);
         for (i, solution) in solutions.iter_mut().enumerate() {

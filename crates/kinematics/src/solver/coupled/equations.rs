@@ -1,4 +1,5 @@
-//! The equations of a coupled group, their rates and the matrix of these, from the motion of spots.
+//! Evaluates the equations of a coupled group, their rates and their matrix, from the motion of its
+//! spots.
 
 use super::{Base, Bearing, Coupled, GroupEquation, Moving, Room, Spot, Turning};
 use crate::solver::following::{Following, InputMotion};
@@ -108,7 +109,8 @@ impl Coupled {
         }
     }
 
-    /// The first (1) or second (2) rates of the equations, with z' (z'') as it stands in the room.
+    /// Computes the first (`order` 1) or second (2) rates of the equations, with the z' and z'' in
+    /// `room`.
     pub(super) fn rates<T: Number>(
         &self,
         q: T,
@@ -242,7 +244,8 @@ impl Coupled {
         }
     }
 
-    /// The sine and the cosine of the angle by which a link is ahead of where its input has it.
+    /// Returns the sine and the cosine of the angle by which a link is ahead of its input's
+    /// coordinate.
     fn apart<T: Number>(
         &self,
         ways: [&Bearing; 2],
@@ -259,7 +262,8 @@ impl Coupled {
         (wanted.cross(link), wanted.dot(link))
     }
 
-    /// Adds `weight . (derivative of the spot)` to a row of the matrix.
+    /// Adds `weight . (derivative of the spot)` to the row of the matrix that starts at index
+    /// `row`.
     fn add_columns<T: Number>(
         &self,
         spot: &Spot,
@@ -282,8 +286,8 @@ impl Coupled {
     }
 }
 
-/// The derivative of 2 tan(delta / 2) by delta, from cos(delta): the residual of an elbow has no second zero on the
-/// other side, as a sine would.
+/// Returns the derivative of 2 tan(delta / 2) by delta, from cos(delta). Unlike a sine, this
+/// residual of an elbow has no second zero on the opposite side.
 fn steepness<T: Number>(along: T) -> T {
     T::exactly(2.0) / (T::exactly(1.0) + along)
 }

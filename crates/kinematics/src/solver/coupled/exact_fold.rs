@@ -1,9 +1,10 @@
 //! Corrects the fold of a coupled group in double-double, and bounds the driver's coordinate there.
 //!
-//! The equations of a fold (see [`singular`](super::singular)) are solved in doubles first. Their residuals, in
-//! double-double and from the typed decimals, correct the solution with the inverse R of their matrix in doubles.
-//! Krawczyk's operator (see [`enclose`](super::enclose)) then bounds the error of the coordinate: with the
-//! matrix J over a box around the solution, the error is at most |R f| + |I - R J| times the size of the box.
+//! The equations of a fold (see [`singular`](super::singular)) are solved in doubles first. Their
+//! residuals, in double-double and from the typed decimals, correct the solution with the inverse R
+//! of their matrix in doubles. Krawczyk's operator (see [`enclose`](super::enclose)) then bounds
+//! the error of the coordinate. With the matrix J over a box around the solution, the error is at
+//! most |R f| + |I - R J| times the size of the box.
 
 use super::enclose::{BOX, CONTRACTION, Inverse, UNIT};
 use super::singular::{Correction, Fold, System};
@@ -12,7 +13,8 @@ use crate::arithmetic::{Sharp, U};
 use crate::solver::state::State;
 use crate::{Ball, Double, Number};
 
-/// A fold in double-double: the unknowns of the group, and its null vector with what normalises it.
+/// A fold in double-double: the unknowns z of the group, its null vector v, and the vector c that
+/// normalises v.
 pub(in crate::solver) struct ExactFold {
     z: Vec<Double>,
     v: Vec<Double>,
@@ -27,14 +29,14 @@ pub(in crate::solver) struct FoldResiduals {
 }
 
 impl ExactFold {
-    /// The unknowns of the group, in doubles.
+    /// Returns the unknowns of the group, in doubles.
     pub(in crate::solver) fn unknowns(&self) -> Vec<f64> {
         self.z.iter().map(|z| z.hi).collect()
     }
 }
 
 impl FoldResiduals {
-    /// The radius of the box in which the solution is sought.
+    /// Returns the radius of the box in which a solution must be proved.
     pub(in crate::solver) fn radius(&self) -> f64 {
         let (mut rows, mut left) = (self.inverse.clone(), Vec::new());
         BOX * self.view(&mut rows, &mut left).most_step(&self.right)
@@ -51,7 +53,7 @@ impl FoldResiduals {
 }
 
 impl Coupled {
-    /// Takes over a fold that was found in doubles; its z stands in the scratch.
+    /// Converts a fold found in doubles, with its z in the scratch, to double-double.
     pub(in crate::solver) fn exact_fold(&self, fold: Fold, scratch: &mut Scratch) -> ExactFold {
         let exactly = |values: &[f64]| values.iter().map(|&v| Double::exactly(v)).collect();
         let mut z: Vec<Double> = exactly(self.open(scratch).z);
@@ -63,7 +65,8 @@ impl Coupled {
         }
     }
 
-    /// Evaluates the equations of a fold. The inputs of the group stand in `state`, with both derivatives.
+    /// Evaluates the equations of a fold. `state` holds the inputs of the group with both
+    /// derivatives. Returns `None` if their matrix is singular.
     pub(in crate::solver) fn fold_residuals(
         &self,
         fold: &ExactFold,
@@ -90,7 +93,7 @@ impl Coupled {
         Some(FoldResiduals { n, inverse, right })
     }
 
-    /// Corrects a fold; the correction of the coordinate is left to the caller.
+    /// Corrects a fold; the caller applies the correction of the driver's coordinate.
     pub(in crate::solver) fn correct_fold(
         &self,
         fold: &mut ExactFold,
@@ -112,8 +115,9 @@ impl Coupled {
         }
     }
 
-    /// Bounds the distance of the driver's coordinate to that of the fold. The inputs of the group stand in `state`,
-    /// for all coordinates within the radius of `q`; `None` where no fold is proved to lie in the box.
+    /// Bounds the distance of the driver's coordinate from that of the fold. `state` holds the
+    /// inputs of the group for all coordinates within the radius of `q`. Returns `None` if the box
+    /// is not proved to contain a fold.
     pub(in crate::solver) fn fold_bound(
         &self,
         fold: &ExactFold,
@@ -134,7 +138,7 @@ impl Coupled {
         let (mut rows, mut left) = (residuals.inverse.clone(), vec![0.0; residuals.n]);
         let mut inverse = residuals.view(&mut rows, &mut left);
         inverse.measure(&system.matrix);
-        // Written so that NaN proves nothing.
+        // Negated so that NaN proves nothing.
         if !(inverse.most <= CONTRACTION) {
             return None;
         }

@@ -1,11 +1,11 @@
-//! What a coupled group puts into states, and takes from them.
+//! Writes a coupled group's unknowns into states and reads them back.
 
 use super::{Base, Coupled, Moving, Room, Spot};
 use crate::solver::state::{LinkState, PointState, State};
 use crate::{Number, PointId, Vec2};
 
 impl Coupled {
-    /// Puts what the group places into the state.
+    /// Writes the points and links placed by the group into the state.
     pub(in crate::solver) fn write<T: Number>(
         &self,
         q: T,
@@ -31,7 +31,8 @@ impl Coupled {
         }
     }
 
-    /// A rough z: joints at `guess`, and directions.
+    /// Sets z to a rough guess, from the positions of the free joints and the directions of the
+    /// classes.
     pub(in crate::solver) fn set_guess(
         &self,
         z: &mut [f64],
@@ -55,12 +56,12 @@ impl Coupled {
         }
     }
 
-    /// Takes z from what the group has placed: the inverse of writing it.
+    /// Reads z from the group's points and links in the state: the inverse of `write`.
     pub(in crate::solver) fn read<T: Number>(&self, state: &State<T>, z: &mut [T]) {
         self.read_as(state, z, |number| number);
     }
 
-    /// The same in an arithmetic of more digits.
+    /// Reads z from the state, and converts every number by `exactly`, such as to more digits.
     pub(super) fn read_as<S: Number, T>(
         &self,
         state: &State<S>,
@@ -81,7 +82,7 @@ impl Coupled {
         }
     }
 
-    /// Takes z' and z'' from what the group has placed, as far as that has been solved.
+    /// Reads z' and z'' from the group's points and links in the state, as far as these are solved.
     pub(super) fn read_rates<T: Number>(&self, state: &State, first: &mut [T], second: &mut [T]) {
         let mut put = |i: usize, v: f64, a: f64| {
             (first[i], second[i]) = (T::exactly(v), T::exactly(a));

@@ -1,25 +1,27 @@
-//! From far away: Newton's steps in a trust region, for putting a group together.
+//! Assembles a group from a rough start, by Newton's method in a trust region.
 //!
-//! Along the motion a group is predicted so well that Newton's method needs no care. A rough start may
-//! lie where the matrix is all but singular, and two solutions close together draw Newton's steps
-//! far away. There the step is the one of Levenberg and Marquardt, (J'J + m) d = -J'r, whose damping m
-//! follows from how well the last step did what it promised (Nielsen, Damping Parameter in Marquardt's
-//! Method, 1999, eq. 2.5; the rest is Madsen, Nielsen and Tingleff, Methods for Non-Linear Least
-//! Squares Problems, 2004, algorithm 3.16).
+//! Along the motion a group is predicted so well that Newton's method needs no care. A rough start
+//! may lie where the matrix is nearly singular, and two solutions close together draw Newton's
+//! steps far away. The step here is therefore that of Levenberg and Marquardt, (J'J + m) d = -J'r.
+//! The damping m follows from the ratio of the actual to the predicted reduction (Nielsen, Damping
+//! Parameter in Marquardt's Method, 1999, eq. 2.5; the rest is Madsen, Nielsen and Tingleff,
+//! Methods for Non-Linear Least Squares Problems, 2004, algorithm 3.16).
 
 use super::{Coupled, Room, Scratch};
 use crate::solver::lu;
 use crate::solver::state::State;
 
-/// Near a double solution the distance halves with every step: enough for the rounding.
+/// Maximum number of steps. Near a double solution every step halves the distance, so that these
+/// suffice down to the rounding error.
 const STEPS: usize = 120;
-/// A step below this, in scaled lengths and radians, is left to Newton's method.
+/// Step size, in scaled lengths and radians, below which Newton's method takes over.
 const NEAR: f64 = 1e-9;
-/// The first damping, as a part of the largest entry of J'J.
+/// The initial damping, relative to the largest entry of J'J.
 const DAMPING: f64 = 1e-3;
 
 impl Coupled {
-    /// From the z in the scratch to a solution that Newton's method settles, if there is one downhill.
+    /// Moves the z in the scratch downhill, and completes it by Newton's method. Returns `true` if
+    /// this converges to a solution.
     pub(in crate::solver) fn approach(
         &self,
         q: f64,
@@ -37,11 +39,11 @@ impl Coupled {
     }
 }
 
-/// How far the matrix is trusted.
+/// The trust region: the damping of the steps, and buffers.
 struct Region {
     n: usize,
     damping: Option<f64>,
-    /// By what the damping grows when a step has failed: more with every failure.
+    /// The factor of the damping after a failed step; it doubles with every failure in a row.
     growth: f64,
     matrix: Vec<f64>,
     step: Vec<f64>,
@@ -60,7 +62,8 @@ impl Region {
         }
     }
 
-    /// One step, taken where it leads downhill; whether there is more to do.
+    /// Tries one step, and keeps it if it leads downhill. Returns `false` once the steps are small
+    /// or the matrix is singular.
     fn step(&mut self, group: &Coupled, q: f64, state: &State, room: &mut Room<'_>) -> bool {
         let n = self.n;
         group.residuals(q, state, room);
@@ -80,7 +83,7 @@ impl Region {
         }
         lu::solve(&self.matrix, &self.pivots, &mut self.step, n);
         let size = lu::largest(&self.step);
-        // Written so that NaN ends it, too.
+        // Negated so that NaN also ends the steps.
         if !(size > NEAR) {
             return false;
         }
@@ -102,7 +105,7 @@ impl Region {
         true
     }
 
-    /// J'J; its largest entry.
+    /// Sets `matrix` to J'J and returns its largest entry.
     fn square(&mut self, jacobian: &[f64]) -> f64 {
         let n = self.n;
         for i in 0..n {

@@ -32,31 +32,32 @@ use build::Maker;
 pub(super) use exact_fold::{ExactFold, FoldResiduals};
 pub(super) use singular::{Correction, Crossing, Fold};
 
-/// More corrections than quadratic convergence needs from anywhere near.
+/// Maximum number of Newton corrections. Quadratic convergence from a nearby start needs fewer.
 const CORRECTIONS: usize = 24;
-/// The last correction must be below this for the group to count as solved: the square root of the
-/// rounding, since one more correction would have been below the rounding itself.
+/// Maximum size of the last correction of a solved group: the square root of the rounding error.
+/// One more correction would be below the rounding error itself.
 const SETTLED: f64 = 1.5e-8;
-/// A correction below this, 4 u in scaled lengths and radians, changes nothing any more.
+/// Size of a correction below which the iteration ends: 4 u, in scaled lengths and radians. Further
+/// corrections change nothing.
 const FINEST: f64 = 4.0 * 0.5 * f64::EPSILON;
-/// No correction moves a joint or an angle by more at once: half a link length, or half a radian.
+/// Maximum change of a joint or an angle in one correction: half a link length, or half a radian.
 const REACH: f64 = 0.5;
 
-/// Where a joint's base is.
+/// The base of a joint's position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Base {
-    /// A point that earlier groups have placed.
+    /// A point placed by an earlier group.
     Known(PointId),
     /// The free joint with this number.
     Free(usize),
 }
 
-/// Which link turns the joint's arm.
+/// The link or class that turns a joint's arm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Turning {
-    /// A link that earlier groups have placed.
+    /// A link placed by an earlier group.
     Known(LinkId),
-    /// The class with this number; the arm is in its frame.
+    /// The class with this number; the arm is given in its frame.
     Unknown(usize),
 }
 
@@ -69,20 +70,22 @@ impl Turning {
     }
 }
 
-/// A joint: `base + R (arm + along p)`, p the coordinate of an input where the joint is pushed.
+/// The position of a joint: `base + R (arm + along p)`, with p the coordinate of the input that
+/// pushes the joint, if any.
 #[derive(Clone, Debug)]
 struct Spot {
     base: Base,
     arm: Option<(Turning, Vec2<Constant>)>,
     along: Vec2<Constant>,
-    /// How that input follows the driver, if it does.
+    /// How that input follows the driver; if `None`, p is the driver's coordinate.
     following: Option<Following>,
-    /// The link that carries the joint, where it has an arm on one.
+    /// The link that carries the joint, if the joint has an arm on one.
     seat: Option<ArmSeat>,
 }
 
 impl Spot {
-    /// From the base, in the frame of what turns the arm.
+    /// Returns the vector from the base to the joint, in the frame that turns the arm, with the
+    /// driver's coordinate at `q`.
     #[inline(always)]
     fn reach<T: Number>(&self, arm: Vec2<Constant>, q: T) -> Vec2<T> {
         let p = match &self.following {
@@ -99,13 +102,14 @@ impl Spot {
     }
 }
 
-/// Where on a link an arm is: forces pass there.
+/// The joints between which a spot's arm lies on its link. A force at the spot acts on the link at
+/// these joints.
 #[derive(Clone, Copy, Debug)]
 struct ArmSeat {
     link: LinkId,
-    /// The joint at the arm's beginning.
+    /// The joint at the start of the arm.
     foot: PointId,
-    /// The joint at its end; none for the place of a guide.
+    /// The joint at the end of the arm; `None` at the point of a guide.
     end: Option<PointId>,
 }
 
@@ -114,16 +118,17 @@ enum GroupEquation {
     Distance {
         a: Spot,
         b: Spot,
-        /// From joint to joint in the bar's frame, and how long that is.
+        /// The vector from b to a, in the bar's frame.
         span: Vec2<Constant>,
+        /// The length of `span`.
         length: Constant,
-        /// The bar, and its joints at a and b.
+        /// The bar, with its joints at a and b.
         bar: (LinkId, [PointId; 2]),
     },
     Meeting {
         a: Spot,
         b: Spot,
-        /// The driven slide, if it is that which brings them together.
+        /// The driven slide that the equation describes, if any.
         pushed: Option<SlideId>,
     },
     Slot {
@@ -133,16 +138,16 @@ enum GroupEquation {
         turning: Turning,
         slide: SlideId,
     },
-    /// The angle between two links is the coordinate of an input.
+    /// The angle between two links equals the coordinate of an input.
     Elbow {
         link: Bearing,
         from: Bearing,
-        /// How that follows the driver, if it does.
+        /// How that input follows the driver; if `None`, the input is the driver.
         following: Option<Following>,
     },
 }
 
-/// The direction of a link: that of what it turns with, turned.
+/// The direction of a link: that of a known link or of its class, rotated by `turn`.
 #[derive(Clone, Copy, Debug)]
 struct Bearing {
     link: LinkId,
@@ -150,7 +155,7 @@ struct Bearing {
     turn: Vec2<Constant>,
 }
 
-/// What a coupled group is made from.
+/// The part of a network from which a coupled group is built.
 pub(super) struct Remainder<'a> {
     pub network: &'a Network<'a>,
     pub point_known: &'a [bool],
@@ -159,43 +164,45 @@ pub(super) struct Remainder<'a> {
     pub classes: &'a [ClassId],
     pub links: &'a [LinkId],
     pub slides: &'a [SlideId],
-    /// The links that inputs turn against others.
+    /// Links turned by an input relative to another link.
     pub elbows: &'a [LinkId],
-    /// The point of every guide on the ground, and of some others.
+    /// Points of guides, by slide: those of all guides on the ground, and some others.
     pub guide_points: &'a [Option<PointId>],
 }
 
 /// A coupled group.
 #[derive(Clone, Debug)]
 pub(super) struct Coupled {
-    /// The joints that it places, by their spots.
+    /// The joints placed by the group, with their spots.
     spots: Vec<(PointId, Spot)>,
-    /// A link of every class of unknown direction, and its direction as seen from the class.
+    /// One link of every class of unknown direction.
     turning: Vec<LinkId>,
+    /// The direction of each of these links relative to its class, as a unit vector.
     turns: Vec<Vec2<Constant>>,
     free: usize,
     equations: Vec<GroupEquation>,
-    /// Where its room in the scratch begins.
+    /// The start of the group's numbers in the scratch.
     pub offset: usize,
-    /// Its place among the groups of the plan: it has a sign there, which changes where the motion
-    /// passes through a change point.
+    /// The group's index in the plan. Its sign is stored there, and changes where the motion passes
+    /// through a change point.
     pub group: usize,
-    /// The sign of the determinant of its matrix, which a motion without a singularity keeps: of two
-    /// solutions that meet at a limit it tells which one is meant. 0 before the group is assembled.
+    /// The sign of the determinant of the group's matrix, constant along a motion without
+    /// singularities. It distinguishes two solutions that meet at a limit. 0 before the group is
+    /// assembled.
     pub side: f64,
 }
 
-/// The outcome of the corrections.
+/// The outcome of Newton's corrections.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corrected {
     /// The largest component of the first correction.
     pub first: f64,
-    /// The sign of the determinant where the last correction began.
+    /// The sign of the determinant before the last correction.
     pub side: f64,
     pub settled: bool,
 }
 
-/// A motion with its rates: of a spot, at given z' and z''.
+/// Position, velocity and acceleration of a spot, at given z' and z''.
 #[derive(Clone, Copy, Default)]
 struct Moving<T = f64> {
     p: Vec2<T>,
@@ -203,18 +210,20 @@ struct Moving<T = f64> {
     a: Vec2<T>,
 }
 
-/// Room for all coupled groups, allocated once.
+/// Buffers for all coupled groups, allocated once.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scratch<T = f64> {
     pub numbers: Vec<T>,
     pub pivots: Vec<usize>,
-    /// The first correction of every group when it was last solved.
+    /// The size of every group's first correction when it was last solved.
     pub first: Vec<f64>,
-    /// Room for what bounds need.
+    /// Buffer for bounds, and for the matrix in doubles during refinement.
     pub work: Vec<f64>,
 }
 
-/// z, z' and z'' of a group: free joints as they are, angles as unit vectors with rates.
+/// One group's part of the scratch: z with its derivatives z' and z'', the matrix and the right
+/// side. In z, free joints are coordinates and angles are unit vectors; z' and z'' hold the rates
+/// of the angles.
 pub(super) struct Room<'a, T = f64> {
     pub z: &'a mut [T],
     pub first: &'a mut [T],
@@ -225,7 +234,7 @@ pub(super) struct Room<'a, T = f64> {
 }
 
 impl Coupled {
-    /// Chooses the unknowns and lists the equations; `None` where they are not equally many.
+    /// Chooses the unknowns and lists the equations. Returns `None` if their numbers differ.
     pub(super) fn new(part: &Remainder<'_>) -> Option<Coupled> {
         let mut maker = Maker::new(part);
         maker.place_joints();
@@ -264,7 +273,7 @@ impl Coupled {
         self.spots.iter().map(|&(point, _)| point)
     }
 
-    /// Says of everything that it places that it does.
+    /// Reports every point and link placed by the group.
     pub(super) fn outputs(&self, places: &mut impl FnMut(PlacedPart)) {
         self.joints()
             .for_each(|point| places(PlacedPart::Point(point)));
@@ -272,14 +281,15 @@ impl Coupled {
         turning.for_each(|&link| places(PlacedPart::Link(link)));
     }
 
-    /// Says of everything of earlier groups that it reads that it does.
+    /// Reports every point and link of earlier groups that the group reads.
     pub(super) fn reads(&self, reads: &mut impl FnMut(PlacedPart)) {
         let (points, links) = self.inputs();
         points.into_iter().for_each(|p| reads(PlacedPart::Point(p)));
         links.into_iter().for_each(|l| reads(PlacedPart::Link(l)));
     }
 
-    /// See [`Element::vary`](super::elements::Element::vary).
+    /// Passes every arm and span of the group to `place`; see
+    /// [`Element::vary`](super::elements::Element::vary).
     pub(super) fn vary(&mut self, place: &mut impl FnMut(&mut Vec2<Constant>)) {
         self.spots.iter_mut().for_each(|(_, spot)| spot.vary(place));
         for equation in &mut self.equations {
@@ -305,12 +315,12 @@ impl Coupled {
         }
     }
 
-    /// The length of z: two numbers for a joint, two for a direction.
+    /// Returns the length of z: two numbers per free joint and two per direction.
     pub(super) fn width(&self) -> usize {
         2 * (self.free + self.turning.len())
     }
 
-    /// The room that the group needs in the scratch.
+    /// Returns how many numbers the group needs in the scratch.
     pub(super) fn room(&self) -> usize {
         let n = self.unknowns();
         self.width() + 2 * n + n * n + n
@@ -342,7 +352,7 @@ impl Coupled {
         self.shift(room.z, room.right);
     }
 
-    /// The largest components of z' dq and of z'' dq^2 / 2.
+    /// Returns the largest components of z' dq and of z'' dq^2 / 2.
     pub(super) fn move_sizes(&self, room: &Room<'_>, dq: f64) -> [f64; 2] {
         let (first, second) = (lu::largest(room.first), lu::largest(room.second));
         [first * dq.abs(), second * (0.5 * dq * dq)]
@@ -356,17 +366,19 @@ impl Coupled {
         }
         for (i, angle) in change[joints..].iter().enumerate() {
             let at = joints + 2 * i;
-            // In any arithmetic by the nearest double: what that misses, the next correction finds.
+            // Every arithmetic rotates by the nearest double; the next correction removes the
+            // difference.
             let angle = angle.nearest();
             let by = Vec2::new(angle.cos(), angle.sin()).exactly();
             let turned = Vec2::new(z[at], z[at + 1]).turned(by);
-            // One step of Newton for the length: |d| stays 1 to the last bit or two.
+            // One Newton step for the length keeps |d| at 1 within one or two units in the last
+            // place.
             let unit = turned * (T::exactly(1.5) - turned.norm2().scaled(0.5));
             (z[at], z[at + 1]) = (unit.x, unit.y);
         }
     }
 
-    /// Newton's corrections from the z in the scratch, until a step no longer shrinks.
+    /// Applies Newton's corrections to the z in the scratch, until a step no longer shrinks.
     pub(super) fn correct(&self, q: f64, state: &mut State, scratch: &mut Scratch) -> Corrected {
         let mut room = self.open(scratch);
         let n = self.unknowns();
@@ -388,7 +400,7 @@ impl Coupled {
             if i == 0 {
                 outcome.first = size;
             }
-            // Written so that NaN ends it, too.
+            // Negated so that NaN also ends the loop.
             if !(size < last || size > SETTLED) {
                 break;
             }
@@ -406,7 +418,8 @@ impl Coupled {
         outcome
     }
 
-    /// The derivatives of z by q, from the matrix at z, and everything that the group places.
+    /// Computes the derivatives of z by q up to `order`, from the matrix at z, and writes all
+    /// points and links of the group into the state. Returns `false` if the matrix is singular.
     pub(super) fn finish<T: Number>(
         &self,
         q: T,
@@ -436,14 +449,14 @@ impl Coupled {
         true
     }
 
-    /// How far the equations are from holding at the z in the scratch, as a length.
+    /// Returns the largest residual of the equations at the z in the scratch, as a length.
     pub(super) fn gap(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
         let mut room = self.open(scratch);
         self.residuals(q, state, &mut room);
         lu::largest(room.right)
     }
 
-    /// The points and links of earlier groups that this one is built on.
+    /// Returns the points and links of earlier groups from which the group is built.
     pub(super) fn inputs(&self) -> (Vec<PointId>, Vec<LinkId>) {
         let (mut points, mut links) = (Vec::new(), Vec::new());
         let mut note = |spot: &Spot| {

@@ -1,7 +1,7 @@
-//! A coupled group backwards: its own matrix, transposed, tells what each of its equations carries.
+//! Computes the forces in a coupled group from its transposed matrix.
 //!
-//! With Q what has come to the unknowns, J^T lambda = Q; an equation presses with -lambda times its
-//! gradient on what it ties together.
+//! With Q the forces and couples on the unknowns, J^T lambda = Q. Each equation exerts -lambda
+//! times its gradient on the parts that it connects.
 
 use super::{Base, Bearing, Coupled, GroupEquation, Room, Scratch, Spot, Turning};
 use crate::solver::forces::{ForceState, Slots};
@@ -9,7 +9,7 @@ use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Number, Vec2};
 
-/// What a group's forces are found from and noted in.
+/// Inputs and outputs of a group's force analysis.
 struct Ledger<'a, T> {
     q: T,
     slots: &'a Slots,
@@ -18,7 +18,8 @@ struct Ledger<'a, T> {
 }
 
 impl Coupled {
-    /// Hands what has come to the group down to what it stands on; whether its matrix allows it.
+    /// Passes the forces and couples on the group to the known points and links that it is built
+    /// on. Returns `false` if the group's matrix is singular.
     pub(in crate::solver) fn run_back<T: Number>(
         &self,
         q: T,
@@ -46,7 +47,8 @@ impl Coupled {
         solved
     }
 
-    /// What has come to each unknown: a force to a free joint, a couple to a direction.
+    /// Sums the loads on each unknown into the right side: a force on a free joint, a couple on a
+    /// direction.
     fn gather<T: Number>(&self, room: &mut Room<'_, T>, ledger: &mut Ledger<'_, T>) {
         room.right.fill(T::default());
         for (point, spot) in &self.spots {
@@ -65,8 +67,9 @@ impl Coupled {
         }
     }
 
-    /// A force at a spot: what stands on known ground goes on to it. Gives the couple on what turns the
-    /// spot's arm.
+    /// Applies a force at a spot: adds it to a known base and to the joint forces of the spot's
+    /// link. Returns the couple on the spot's arm, with the link or class that it turns; `None`
+    /// without an arm.
     fn carry<T: Number>(
         &self,
         spot: &Spot,
@@ -92,7 +95,7 @@ impl Coupled {
         Some((turning, couple))
     }
 
-    /// A couple on what turns a spot's arm.
+    /// Applies a couple to the link that turns a spot's arm.
     fn twist<T: Number>(
         &self,
         turning: Turning,
@@ -109,7 +112,7 @@ impl Coupled {
         }
     }
 
-    /// A couple on a link itself.
+    /// Applies a couple to a link itself.
     fn wrench<T: Number>(&self, bearing: &Bearing, couple: T, forces: &mut ForceState<T>) {
         match bearing.turning {
             Turning::Known(link) => forces.links[link.index()] += couple,
@@ -120,7 +123,8 @@ impl Coupled {
         }
     }
 
-    /// What every equation presses with.
+    /// Applies the force or couple of every equation to the parts that it connects, and records the
+    /// forces in joints, guides and drives.
     fn press<T: Number>(&self, room: &Room<'_, T>, ledger: &mut Ledger<'_, T>) {
         let mut rows = room.right.iter().map(|&lambda| -lambda);
         for equation in &self.equations {

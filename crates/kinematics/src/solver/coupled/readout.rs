@@ -1,4 +1,5 @@
-//! A coupled group to be read: its unknowns, and what the last step of Newton's method had before it.
+//! Reports a coupled group at a state: unknowns, equations, residuals and Jacobian of a Newton
+//! step.
 
 use super::{Base, Coupled, GroupEquation, Scratch, Spot};
 use crate::solver::state::State;
@@ -10,46 +11,48 @@ use crate::{LinkId, PointId, Vec2};
 pub enum NewtonUnknown {
     /// The x coordinate of a joint, in the scene's unit and frame.
     X(PointId),
-    /// Its y coordinate.
+    /// The y coordinate of a joint, in the scene's unit and frame.
     Y(PointId),
     /// The angle of a link, in rad.
     Angle(LinkId),
 }
 
-/// What an equation of a coupled group demands; joints by their points where they have one.
+/// An equation of a coupled group. Joints are given by their points, if they have one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum NewtonRow {
-    /// The distance of two joints is a length: half the difference of the squares, in length^2.
+    /// The distance of two joints equals a length: half the difference of the squares, in length^2.
     Distance([Option<PointId>; 2], f64),
-    /// Two ways to a joint end at one place: x, in the length unit.
+    /// Two chains of links meet at a joint: the difference in x, in the length unit.
     MeetingX(Option<PointId>),
-    /// The same for y.
+    /// Two chains of links meet at a joint: the difference in y, in the length unit.
     MeetingY(Option<PointId>),
-    /// A joint lies on a guide: its distance from that, in the length unit.
+    /// A joint lies on a guide: its distance from the guide, in the length unit.
     Guide(Option<PointId>),
-    /// The angle of a link from another one is an input's: twice the tangent of half of what it is off, in rad.
+    /// The angle of a link from another one equals the coordinate of an input: twice the tangent of
+    /// half the difference, in rad.
     Elbow([LinkId; 2]),
 }
 
-/// A coupled group at a state: J dz = -f of one more step of Newton's method.
+/// The linear system J dz = -f of one more Newton step of a coupled group at a state.
 #[derive(Clone, Debug)]
 pub struct Newton {
     /// The group.
     pub group: GroupId,
     /// The unknowns, in the order of the columns of `jacobian`.
     pub unknowns: Vec<NewtonUnknown>,
-    /// Their values, in the scene's unit and frame, and in rad from 0 to below 2 pi.
+    /// The values of the unknowns: coordinates in the scene's unit and frame, angles in rad from 0
+    /// to below 2 pi.
     pub values: Vec<f64>,
     /// The equations, in the order of the rows.
     pub rows: Vec<NewtonRow>,
-    /// What is left of each.
+    /// The residuals of the equations, in the units of [`NewtonRow`].
     pub residuals: Vec<f64>,
     /// The derivatives of the equations by the unknowns, row by row, in the scene's unit and rad.
     pub jacobian: Vec<f64>,
 }
 
 impl Solver {
-    /// The coupled groups at a state that this solver has solved; none without an assembly.
+    /// Returns the coupled groups at a state solved by this solver; empty without an assembly.
     #[must_use]
     pub fn newton(&self, state: &State) -> Vec<Newton> {
         if state.condition() == Condition::NoAssembly {
@@ -73,7 +76,8 @@ impl Coupled {
         let unit = state.frame.scale;
         let n = self.unknowns();
         let rows = self.rows(unit);
-        // A distance counts in squares; a column of an angle has one length more than that of a joint.
+        // A distance equation is in squared lengths. An angle's column has one more factor of
+        // length than a joint's.
         let size = |row: &NewtonRow| match row {
             NewtonRow::Distance(..) => unit * unit,
             NewtonRow::MeetingX(_) | NewtonRow::MeetingY(_) | NewtonRow::Guide(_) => unit,
@@ -139,7 +143,7 @@ impl Coupled {
         rows
     }
 
-    /// The point that a spot is.
+    /// Returns the point at a spot, if any.
     fn point_at(&self, spot: &Spot) -> Option<PointId> {
         match (spot.base, spot.arm) {
             (Base::Known(point), None) => Some(point),
@@ -156,7 +160,7 @@ impl Coupled {
 }
 
 impl Spot {
-    /// Whether it is the free joint of this number itself.
+    /// Returns `true` if the spot is the free joint with this number itself.
     fn is_free(&self, number: usize) -> bool {
         self.arm.is_none() && matches!(self.base, Base::Free(i) if i == number)
     }

@@ -1,10 +1,11 @@
-//! The motion of a coupled group in series, coefficient by coefficient.
+//! Computes the motion of a coupled group as a series, coefficient by coefficient.
 //!
-//! With the unknowns known up to t^(k-1), the k-th coefficient of the equations is r_k and that of the
-//! unknowns solves J z_k = -r_k, always with the same J. Where J is singular, with the null vectors
-//! J v = 0 and w J = 0, z_k is known up to s v, and s from the next order: w.r_(k+1) = 0. For k = 1
-//! that is the quadratic of the second-order tangents, one root for each of the branches that meet;
-//! beyond, it is linear.
+//! With the unknowns known up to t^(k-1), the k-th coefficient of the equations is r_k. The k-th
+//! coefficient of the unknowns solves J z_k = -r_k, always with the same J.
+//!
+//! If J is singular, with the null vectors J v = 0 and w J = 0, z_k is known up to s v. The next
+//! order determines s: w.r_(k+1) = 0. For k = 1 this is the quadratic of the second-order tangents,
+//! with one root for each of the branches that meet. For larger k it is linear.
 
 use super::{Coupled, Room, Scratch};
 use crate::arithmetic::Series;
@@ -13,13 +14,13 @@ use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 use crate::{Double, Number, Vec2};
 
-/// Two directions of the quadratic that differ by less than this part have become one: the branches
-/// touch, and orders beyond the second would have to tell them apart.
+/// Minimum discriminant of the quadratic a s^2 + b s + c, relative to b^2 + |a c|. Below it the
+/// branches touch, and only orders beyond the second could distinguish them.
 const TANGENTIAL: f64 = 1e-9;
-/// Corrections of a coefficient: the second one finds the digits that doubles do not hold.
+/// Number of corrections per coefficient: the second one finds the digits that doubles do not hold.
 const CORRECTIONS: usize = 2;
 
-/// A matrix made ready to be solved with; where it is singular, bordered by its null vectors.
+/// A factored matrix; a singular one is bordered by its null vectors.
 struct BorderedMatrix {
     matrix: Vec<f64>,
     pivots: Vec<usize>,
@@ -54,14 +55,15 @@ impl BorderedMatrix {
     }
 }
 
-/// The null vectors of a singular matrix: J v = 0, w J = 0, of length 1.
+/// The null vectors of a singular matrix, of length 1: J v = 0 and w J = 0.
 pub(in crate::solver) struct Null {
     pub(super) v: Vec<f64>,
     pub(super) w: Vec<f64>,
 }
 
 impl Null {
-    /// By bordering with any vectors that are not orthogonal to them.
+    /// Computes the null vectors by bordering the matrix with an arbitrary vector, which must not
+    /// be orthogonal to them. Returns `None` if the bordered matrix is singular.
     pub(super) fn of(matrix: &[f64], n: usize) -> Option<Null> {
         let any: Vec<f64> = (0..n).map(|i| (1.7 * i as f64 + 0.3).cos()).collect();
         let transposed: Vec<f64> = (0..n * n).map(|k| matrix[k % n * n + k / n]).collect();
@@ -81,7 +83,7 @@ impl Null {
 }
 
 impl Coupled {
-    /// How many coefficients of the group follow from its inputs.
+    /// Returns how many coefficients of the group follow from its inputs.
     fn known(&self, q: Series, state: &State<Series>) -> usize {
         let (points, links) = self.inputs();
         let points = points.into_iter().map(|p| state.points[p.index()].p);
@@ -90,8 +92,10 @@ impl Coupled {
         known.fold(q.known, usize::min)
     }
 
-    /// Places the group in series about a state whose z stands in `here`'s scratch, as
-    /// its inputs stand in both. `toward` is the rate of z with which the motion comes to a singular place.
+    /// Computes the group's series about a state, and writes its points and links into `series`.
+    /// The scratch of `here` holds the group's z at that state; both workspaces hold its inputs.
+    /// `toward` is the rate of z with which the motion approaches a singular state, `None` at a
+    /// regular one. Returns `false` if the series cannot be found.
     pub(in crate::solver) fn follow(
         &self,
         q: Series,
@@ -124,14 +128,14 @@ impl Coupled {
     }
 }
 
-/// The unknowns of a group in series: joints from where they are in z, angles from their directions
-/// there.
+/// The unknowns of a group as series: joints relative to their positions in z, angles relative to
+/// their directions in z.
 struct Path<'a> {
     group: &'a Coupled,
     q: Series,
     z: &'a [f64],
     unknowns: Vec<Series>,
-    /// How many coefficients are sought.
+    /// Number of coefficients to compute.
     known: usize,
 }
 
@@ -156,7 +160,7 @@ impl Path<'_> {
         }
         let mut slope = None;
         for k in 0..self.known {
-            // Each correction, solved for in doubles, finds as many digits again.
+            // Each correction is solved in doubles and adds as many digits again.
             for _ in 0..CORRECTIONS {
                 let right = self.coefficients(k, state, scratch);
                 let found = solver.solve(&right, 0.0);
@@ -171,7 +175,8 @@ impl Path<'_> {
                         steep
                     }
                 };
-                // Each order is as steep in its share as the first one is at the tangent.
+                // In every order, the slope with respect to s equals the first order's slope at the
+                // tangent.
                 for _ in 0..CORRECTIONS {
                     let next = self.coefficients(k + 1, state, scratch);
                     self.add(k, &null.v, -dot(&null.w, &next) / steep);
@@ -183,8 +188,8 @@ impl Path<'_> {
         self.unknowns.iter().all(is_finite).then_some(())
     }
 
-    /// How much of the null vector the first coefficients have on the branch of the motion, and how steep the
-    /// equations of the next order are there.
+    /// Returns the share s of the null vector in the first coefficients on the motion's branch, and
+    /// the slope of the next order's equations by s there. Returns `None` if the branches touch.
     fn tangent(
         &mut self,
         null: &Null,
@@ -203,7 +208,7 @@ impl Path<'_> {
         let (a, b) = (0.5 * (plus + minus) - none, 0.5 * (plus - minus));
         let wanted = dot(toward, &null.v);
         let discriminant = b * b - 4.0 * a * none;
-        // Written so that NaN is refused.
+        // Negated so that NaN is rejected.
         if !(discriminant > TANGENTIAL * (b * b + (a * none).abs())) {
             return None;
         }
@@ -221,7 +226,7 @@ impl Path<'_> {
         Some((nearer, 2.0 * a * nearer + b))
     }
 
-    /// The k-th coefficients of the equations.
+    /// Returns the k-th coefficients of the equations.
     fn coefficients(
         &self,
         k: usize,
@@ -240,7 +245,7 @@ impl Path<'_> {
         }
     }
 
-    /// Puts the first coefficients of the unknowns into z.
+    /// Writes the first `known` coefficients of the unknowns into z.
     fn fill(&self, known: usize, room: &mut Room<'_, Series>) {
         let joints = 2 * self.group.free;
         for i in 0..joints {
@@ -251,7 +256,8 @@ impl Path<'_> {
             let at = joints + 2 * i;
             let start = Vec2::new(self.z[at], self.z[at + 1]).exactly::<Double>();
             let unit = start / start.norm();
-            // A correction of the place itself is small: its square is below the rounding.
+            // The constant term is a small correction of the start: its square is below the
+            // rounding error.
             let nudge = Vec2::new(Double::ONE, angle.c[0]);
             let start = unit.turned(nudge).map(Series::constant);
             let turned = start.turned(angle.turning());

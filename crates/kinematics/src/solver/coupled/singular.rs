@@ -1,25 +1,25 @@
-//! Where a coupled group is singular: how near it is to that, and the folds at which it ends.
+//! Measures how close a coupled group is to a singularity, and finds its folds and crossings.
 //!
-//! At a fold two solutions z meet and the driver turns back. There J has a null vector v, and
+//! At a fold two solutions z meet and the driver reverses. There J has a null vector v, and
 //!
 //! ```text
 //! F(z, q) = 0        J(z, q) v = 0        c.v = 1
 //! ```
 //!
-//! is a regular system for z, v and q (Moore and Spence 1980), though J itself is singular. Its second
-//! derivatives come from the second rates of the equations: with z'' = 0 and z' = a these are
-//! R(a) = Q(a, a) + 2 L a + r, so that R(a + b) - R(a) - R(b) + R(0) = 2 Q(a, b) and
-//! R(a) - R(-a) = 4 L a.
+//! is a regular system for z, v and q (Moore and Spence 1980), though J itself is singular. Its
+//! second derivatives come from the second rates of the equations: with z'' = 0 and z' = a these
+//! are R(a) = Q(a, a) + 2 L a + r, so that R(a + b) - R(a) - R(b) + R(0) = 2 Q(a, b) and R(a) -
+//! R(-a) = 4 L a.
 //!
-//! At a crossing two solutions meet and both go on. There the rates of q are among those of z, so that
-//! the system above is singular as well; with the equations opened by b along the left null vector w
-//! it is regular again:
+//! At a crossing two solutions meet and both continue. There F_q lies in the range of J, so that
+//! the system above is singular as well. Opening the equations by b along the left null vector w
+//! makes it regular again:
 //!
 //! ```text
 //! F(z, q) + b w = 0      J v = 0      c.v = 1      J p + F_q = 0      c.p = 0
 //! ```
 //!
-//! b is zero where the branches really meet, and z' = p + s v on them.
+//! If the branches really meet, b is zero, and z' = p + s v on them.
 
 use super::series::Null;
 use super::{Coupled, Room, Scratch};
@@ -28,25 +28,26 @@ use crate::solver::lu::{self, dot};
 use crate::solver::state::State;
 use std::ops::Range;
 
-/// What Newton's method for a fold carries from step to step besides z: the null vector, and the
-/// vector that normalises it.
+/// The state of Newton's method for a fold, besides z and q: the null vector v, and the vector c
+/// that normalises it.
 pub(in crate::solver) struct Fold {
     pub(super) v: Vec<f64>,
     pub(super) c: Vec<f64>,
 }
 
-/// What Newton's method for a crossing carries: the null vector v, the particular tangent p, and by
-/// how much the equations must be opened along w for the branches to meet.
+/// The state of Newton's method for a crossing, besides z and q: the null vector v, the particular
+/// tangent p, and the unfolding.
 pub(in crate::solver) struct Crossing {
     pub(super) v: Vec<f64>,
     pub(super) p: Vec<f64>,
-    /// Zero, within the rounding of the lengths, at a change point.
+    /// The value b by which the equations are opened along w. At a change point it is zero, within
+    /// the rounding error of the lengths.
     pub(in crate::solver) unfolding: f64,
-    /// As they were at the start: they normalise v and p, and open the equations.
+    /// The null vectors at the start: they normalise v and p, and open the equations.
     pub(super) null: Null,
 }
 
-/// Where the unknowns of a crossing stand behind z.
+/// The indices of a crossing's unknowns, which follow z.
 pub(super) struct CrossingPlaces {
     pub(super) q: usize,
     pub(super) v: Range<usize>,
@@ -67,7 +68,7 @@ impl CrossingPlaces {
     }
 }
 
-/// A step of Newton's method: its largest component, and that of the driver's coordinate.
+/// A step of Newton's method: its largest component, and the change of the driver's coordinate.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::solver) struct Correction {
     pub(in crate::solver) size: f64,
@@ -75,15 +76,16 @@ pub(in crate::solver) struct Correction {
 }
 
 impl Coupled {
-    /// How far the group is from being singular, signed: the determinant of its matrix with rows of
-    /// unit length, which is at most 1 (Hadamard), times its size: as the square of a sine. From z in
-    /// the scratch; 0 where the matrix has no pivot.
+    /// Returns a signed measure of the distance from a singularity, at the z in the scratch. It is
+    /// the determinant of the matrix with rows of unit length, times its absolute value, and
+    /// behaves like the square of a sine. Its size is at most 1 (Hadamard), and 0 if the matrix is
+    /// singular.
     pub(in crate::solver) fn measure(&self, q: f64, state: &State, scratch: &mut Scratch) -> f64 {
         let det = self.determinant(q, state, scratch);
         det * det.abs()
     }
 
-    /// The matrix by rows, each of unit length, from what the state holds.
+    /// Returns the matrix at the solution in the state, row by row, with rows of unit length.
     pub(in crate::solver) fn normalised<'s>(
         &self,
         q: f64,
@@ -101,7 +103,8 @@ impl Coupled {
         room.matrix
     }
 
-    /// The determinant of the matrix with rows of unit length.
+    /// Returns the determinant of the matrix with rows of unit length, at the z in the scratch; 0
+    /// if the matrix is singular.
     pub(in crate::solver) fn determinant(
         &self,
         q: f64,
@@ -124,7 +127,8 @@ impl Coupled {
         sign * det
     }
 
-    /// A start for [`Coupled::approach_fold`]: close to a fold the group moves along its null vector.
+    /// Returns a start for [`Coupled::approach_fold`] from a state close to a fold, where the group
+    /// moves along its null vector. Returns `None` without finite rates in the scratch.
     pub(in crate::solver) fn fold(&self, scratch: &mut Scratch) -> Option<Fold> {
         let room = self.open(scratch);
         let length = dot(room.first, room.first).sqrt();
@@ -133,9 +137,9 @@ impl Coupled {
         v.iter().all(|x| x.is_finite()).then_some(Fold { v, c })
     }
 
-    /// One step of Newton towards a fold: corrects z in the scratch and v, and gives the size of the
-    /// correction and that of the coordinate, which is left to the caller. The inputs of the group
-    /// stand in `state`, with both derivatives.
+    /// Takes one Newton step towards a fold: corrects v and the z in the scratch. Returns the size
+    /// of the step, and the change of the driver's coordinate, which the caller applies. `state`
+    /// holds the inputs of the group with both derivatives.
     pub(in crate::solver) fn approach_fold(
         &self,
         fold: &mut Fold,
@@ -155,7 +159,7 @@ impl Coupled {
         })
     }
 
-    /// The equations of a fold at the z of the room, and their derivatives by z, q and v.
+    /// Returns the equations of a fold at the z in `room`, with their derivatives by z, q and v.
     pub(super) fn fold_system<T: Number>(
         &self,
         v: &[T],
@@ -180,7 +184,7 @@ impl Coupled {
         system
     }
 
-    /// A start for [`Coupled::approach_crossing`], from a state close to one.
+    /// Returns a start for [`Coupled::approach_crossing`] from a state close to a crossing.
     pub(in crate::solver) fn crossing(
         &self,
         q: f64,
@@ -202,7 +206,7 @@ impl Coupled {
         })
     }
 
-    /// One step of Newton towards a crossing, as [`Coupled::approach_fold`].
+    /// Takes one Newton step towards a crossing, like [`Coupled::approach_fold`].
     pub(in crate::solver) fn approach_crossing(
         &self,
         crossing: &mut Crossing,
@@ -242,8 +246,8 @@ impl Coupled {
         })
     }
 
-    /// The derivatives of the equations of a crossing by z, q, v, p and what opens them; their right side is
-    /// left to the caller.
+    /// Returns the derivatives of a crossing's equations by z, q, v, p and the unfolding. The
+    /// caller fills in their right side.
     pub(super) fn crossing_system(
         &self,
         [v, p]: [&[f64]; 2],
@@ -275,7 +279,7 @@ impl Coupled {
         system
     }
 
-    /// The second rates of the equations with z' = `first` and z'' = 0.
+    /// Returns the second rates of the equations with z' = `first` and z'' = 0.
     fn second_rates<T: Number>(
         &self,
         first: &[T],
@@ -289,19 +293,20 @@ impl Coupled {
     }
 }
 
-/// The equations of a group at one place with their derivatives, matrices by rows.
+/// The equations of a group at one point, with their derivatives; matrices are stored by rows.
 pub(super) struct Local<T = f64> {
     n: usize,
     /// F.
     misfit: Vec<T>,
-    /// J, the derivative by z, and that by q.
+    /// J, the derivative of F by z.
     matrix: Vec<T>,
+    /// The derivative of F by q.
     by_q: Vec<T>,
     /// r = R(0), the second derivative by q.
     still: Vec<T>,
     /// L, the second derivative by z and q.
     mixed: Vec<T>,
-    /// R(e) of the unit vectors, one after another.
+    /// R(e) for every unit vector e, in order.
     units: Vec<Vec<T>>,
 }
 
@@ -349,7 +354,7 @@ impl<T: Number> Local<T> {
         self.mixed.chunks(self.n).map(|row| dot(row, v)).collect()
     }
 
-    /// Q(v, .), the derivative of J v by z.
+    /// Returns Q(v, .), the derivative of J v by z.
     fn bent(
         &self,
         group: &Coupled,
@@ -375,7 +380,7 @@ impl<T: Number> Local<T> {
     }
 }
 
-/// A linear system that is put together from blocks: all of them are added.
+/// A linear system assembled from blocks; overlapping blocks are added.
 pub(super) struct System<T = f64> {
     pub(super) n: usize,
     pub(super) matrix: Vec<T>,
@@ -412,7 +417,8 @@ impl<T: Number> System<T> {
 }
 
 impl System {
-    /// The correction that takes `right` away, with its largest component.
+    /// Returns the largest component of the correction that cancels `right`, and the correction.
+    /// Returns `None` if the matrix is singular.
     fn solved(mut self) -> Option<(f64, Vec<f64>)> {
         let mut pivots = vec![0; self.n];
         lu::factor(&mut self.matrix, &mut pivots, self.n)?;

@@ -1,4 +1,4 @@
-//! A coupled group in twice the precision.
+//! Refines the solution of a coupled group in double-double.
 
 use super::{Coupled, Room, Scratch};
 use crate::solver::elements::{ACCELERATION, VELOCITY};
@@ -6,12 +6,13 @@ use crate::solver::lu;
 use crate::solver::state::State;
 use crate::{Double, Vec2};
 
-/// Corrections from a state in doubles: each gains the digits of a double, less those that the
-/// condition of the matrix costs.
+/// Number of corrections from a state in doubles. Each gains the digits of a double, less those
+/// lost by the condition of the matrix.
 const CORRECTIONS: usize = 4;
 
 impl Coupled {
-    /// Refines what was found in doubles; whether it could.
+    /// Refines the group's solution in `state` to double-double, and writes it into `twice`, which
+    /// holds the inputs. Returns `false` if the matrix is singular.
     pub(in crate::solver) fn refine(
         &self,
         q: Double,
@@ -72,7 +73,8 @@ impl Coupled {
         true
     }
 
-    /// What the residuals in the room ask for, in doubles.
+    /// Computes into `right` the correction for the residuals in `room`, in doubles. `matrix` is
+    /// factored.
     fn correction(&self, matrix: &[f64], right: &mut [f64], room: &Room<'_, Double>) {
         for (to, from) in right.iter_mut().zip(&*room.right) {
             *to = -from.hi;
@@ -80,7 +82,7 @@ impl Coupled {
         lu::solve(matrix, room.pivots, right, self.unknowns());
     }
 
-    /// Adds a change of the unknowns to z; directions are turned and keep their length.
+    /// Adds a change of the unknowns to z; directions are rotated and keep their length.
     pub(super) fn turn(&self, z: &mut [Double], change: &[f64]) {
         let joints = 2 * self.free;
         add(&change[..joints], z);
@@ -89,7 +91,7 @@ impl Coupled {
             let d = Vec2::new(z[at], z[at + 1]);
             let mut unit = d + d.perp() * Double::exactly(angle);
             for _ in 0..2 {
-                // Newton for the length: each step doubles its digits.
+                // Newton's method for the length: each step doubles its digits.
                 let off = (Double::exactly(3.0) - unit.norm2()).scaled(0.5);
                 unit = unit * off;
             }

@@ -1,8 +1,10 @@
-//! Whether the solutions of a coupled group cross, decided in twice the digits from the numbers that are meant.
+//! Decides in double-double, from the typed decimals, whether the solutions of a coupled group
+//! cross.
 //!
-//! The equations of a crossing (see [`singular`](super::singular)) are solved in doubles; what is left of them in twice the
-//! digits is taken away by corrections with the matrix in doubles, each of which gains as many digits as that
-//! is good for. The unfolding b that remains is zero where the branches really meet.
+//! The equations of a crossing (see [`singular`](super::singular)) are solved in doubles.
+//! Corrections with the matrix in doubles then remove their residuals in double-double. Each
+//! correction gains the digits that the matrix's condition allows. The remaining unfolding b is
+//! zero if the branches really meet.
 
 use super::singular::{Crossing, CrossingPlaces, Local};
 use super::{Coupled, Room, Scratch};
@@ -11,11 +13,11 @@ use crate::solver::lu;
 use crate::solver::state::State;
 use crate::solver::workspace::Workspace;
 
-/// A crossing in twice the digits; z stands in the scratch.
+/// A crossing in double-double; its z is in the scratch.
 pub(in crate::solver) struct Unfolding {
     v: Vec<Double>,
     p: Vec<Double>,
-    /// By how much the equations must be opened.
+    /// The unfolding b, by which the equations are opened.
     pub(in crate::solver) by: Double,
     crossing: Crossing,
     matrix: Vec<f64>,
@@ -23,7 +25,8 @@ pub(in crate::solver) struct Unfolding {
 }
 
 impl Coupled {
-    /// A start from a crossing that was found in doubles; its z stands in `here`, beside the inputs of the group.
+    /// Starts the corrections from a crossing found in doubles. Its z and the inputs of the group
+    /// are in `here`. Returns `None` if the matrix of the crossing is singular.
     pub(in crate::solver) fn unfolding(
         &self,
         crossing: Crossing,
@@ -55,8 +58,8 @@ impl Coupled {
         })
     }
 
-    /// One correction; that of the driver's coordinate is left to the caller. The inputs of the group stand in
-    /// `state`, with both derivatives.
+    /// Applies one correction, and returns the correction of the driver's coordinate, which the
+    /// caller applies. `state` holds the inputs of the group with both derivatives.
     pub(in crate::solver) fn unfold(
         &self,
         unfolding: &mut Unfolding,
@@ -88,12 +91,12 @@ impl Coupled {
 }
 
 impl Unfolding {
-    /// How many unknowns the group has.
+    /// Returns the number of unknowns of the group.
     pub(in crate::solver) fn unknowns(&self) -> usize {
         self.v.len()
     }
 
-    /// What is left of the equations.
+    /// Returns the residuals of the crossing's equations.
     fn left(
         &self,
         group: &Coupled,
