@@ -166,7 +166,15 @@ impl Walker<'_> {
                 // undetermined.
                 let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
                 let Some(beyond) = beyond else {
-                    let limit = self.refined(limit, &last);
+                    let end = self.refined(limit, &last);
+                    // Beyond a change point that is not passed, the motion may be another one.
+                    let is_known =
+                        self.unproved.is_empty() || self.ahead(end.at) <= self.ahead(limit);
+                    let limit = if is_known {
+                        end
+                    } else {
+                        BoundedEnd::unproved(limit)
+                    };
                     let groups = std::mem::take(&mut self.unproved).into_iter();
                     self.lined_up.extend(groups.map(|group| LinedUp {
                         group,
