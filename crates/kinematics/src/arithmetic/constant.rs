@@ -111,10 +111,9 @@ impl Constant {
         let read = |v: f64| {
             if is_decimal {
                 let decimal = Decimal::of(v);
-                return (
-                    Constant::new(decimal.value, decimal.rounding),
-                    decimal.is_long,
-                );
+                // A long number was computed by a program, and its last digit was then rounded.
+                let radius = decimal.rounding + ROUNDED * typed_radius(v);
+                return (Constant::new(decimal.value, radius), decimal.is_long);
             }
             let radius = ROUNDED * typed_radius(v);
             (Constant::new(Double::exactly(v), radius), radius > 0.0)

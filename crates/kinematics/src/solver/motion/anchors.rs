@@ -98,6 +98,27 @@ impl Anchors {
         }
     }
 
+    /// Returns the latest anchors within a distance of a coordinate, in radians or scaled lengths.
+    pub(super) fn within(
+        &self,
+        engine: &Engine,
+        at: f64,
+        distance: f64,
+    ) -> impl Iterator<Item = usize> {
+        let is_near = move |&i: &usize| engine.difference(self.at[i], at).abs() < distance;
+        (0..self.at.len()).rev().take_while(is_near)
+    }
+
+    /// Returns the rates z' of every group in an anchor.
+    pub(super) fn rates(&self, engine: &Engine, anchor: usize) -> impl Iterator<Item = &[f64]> {
+        let mut from = anchor * Anchors::stride(engine);
+        engine.program.coupled.iter().map(move |group| {
+            let rates = from + group.width()..from + group.width() + group.unknowns();
+            from += group.width() + 2 * group.unknowns();
+            &self.numbers[rates]
+        })
+    }
+
     pub(super) fn len(&self) -> usize {
         self.at.len()
     }

@@ -171,8 +171,7 @@ impl Walker<'_> {
         let at = junction.at.hi;
         let before = engine.moved(at, -self.sense * by);
         let beyond = engine.moved(at, self.sense * by);
-        self.aim_at(before);
-        if self.run(before, Order::Acceleration) != Condition::Ok {
+        if !self.stand_at(before) {
             return None;
         }
         let saved = self.state.clone();

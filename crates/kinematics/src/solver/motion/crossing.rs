@@ -104,35 +104,26 @@ impl Walker<'_> {
         })
     }
 
-    /// Steps to a coordinate from the latest anchor before it, by as many steps as the motion
-    /// needs. Returns `true` if the coordinate was reached.
-    fn stand_at(&mut self, to: f64) -> bool {
-        let engine = self.engine;
-        let Some(mut good) = self.anchors.latest_before(to, self.sense) else {
+    /// Steps to a coordinate from the latest known state before it, by as many steps as the motion
+    /// needs. Returns `true` if the coordinate was reached without leaving the motion.
+    pub(super) fn stand_at(&mut self, to: f64) -> bool {
+        let Some(mut good) = self.latest_before(to) else {
             return false;
         };
-        let aim = |walker: &mut Self, at: f64| {
-            let Walker { anchors, state, .. } = walker;
-            anchors.aim_from_before(engine, at, walker.sense, state);
-            engine.run(at, Order::Acceleration, state) == Condition::Ok
-        };
-        if aim(self, to) {
-            return true;
-        }
-        if !aim(self, good) {
+        if !self.place_at(good) {
             return false;
         }
-        let (mut saved, mut step) = (self.state.clone(), 0.5 * (to - good));
+        let (mut saved, mut step) = (self.state.clone(), to - good);
         for _ in 0..STEPS_BEFORE {
+            if good == to {
+                return true;
+            }
             let is_last = (to - good).abs() <= step.abs();
             let next = if is_last { to } else { good + step };
             if next == good {
                 return false;
             }
             if self.try_step(good, next, &saved) {
-                if is_last {
-                    return true;
-                }
                 saved.clone_from(&self.state);
                 (good, step) = (next, 2.0 * step);
             } else {
@@ -141,6 +132,22 @@ impl Walker<'_> {
             }
         }
         false
+    }
+
+    /// Returns the latest coordinate at or before `at` with a known state.
+    fn latest_before(&self, at: f64) -> Option<f64> {
+        if self.has_path() {
+            return self.anchors.latest_before(at, self.sense);
+        }
+        let is_before = |&&sample: &&f64| (sample - at) * self.sense <= 0.0;
+        self.samples.iter().rev().find(is_before).copied()
+    }
+
+    /// Computes the known state at a coordinate. Returns `true` if it exists.
+    fn place_at(&mut self, at: f64) -> bool {
+        let Walker { anchors, state, .. } = self;
+        anchors.aim_from_before(self.engine, at, self.sense, state);
+        self.run(at, Order::Acceleration) == Condition::Ok
     }
 
     /// Returns the crossing of a coupled group's solutions within `by` of a limit. The state must

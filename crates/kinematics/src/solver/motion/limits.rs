@@ -105,6 +105,7 @@ impl Walker<'_> {
     /// Returns the first extreme of a reach that is a limit. Records the near misses before it.
     fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
         self.ahead = None;
+        self.blurred = None;
         let mut found: Vec<(Stretch, f64)> = Vec::new();
         let mut is_known = vec![false; self.engine.program.steps.len()];
         for (number, stretch) in stretches.iter().enumerate() {
@@ -230,8 +231,11 @@ impl Walker<'_> {
         let &Stretch { step, group, .. } = stretch;
         let measure = self.measure(group, at);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
-        if measure.abs() < UNSURE {
+        if is_open || measure.abs() < UNSURE {
             match self.exact_extreme(step, at) {
+                Some((at, Standing::Singular { .. })) if self.is_split_off(step, at) => {
+                    return None;
+                }
                 Some((at, Standing::Singular { .. })) => {
                     self.ahead = Some(ReachExtreme { step, at });
                     return Some(at.hi);
@@ -245,7 +249,10 @@ impl Walker<'_> {
                     self.note_miss(group, seen, at.hi);
                     return None;
                 }
-                None if !is_open && self.is_stretched(step, group, at) => return Some(at),
+                None if !is_open && self.is_stretched(step, group, at) => {
+                    self.blurred = Some((step, group, at));
+                    return Some(at);
+                }
                 None => {}
             }
         }

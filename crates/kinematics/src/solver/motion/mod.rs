@@ -255,6 +255,7 @@ pub(super) fn explore<'e>(
         sense: 1.0,
         passages: Passages::default(),
         ahead: None,
+        blurred: None,
         unproved: Vec::new(),
         lined_up: Vec::new(),
         samples: Vec::new(),

@@ -30,6 +30,15 @@ const BEND: f64 = 0.125;
 /// Move below which the bend is ignored because the group is at rest, in units of about the longest
 /// link.
 const BEND_FLOOR: f64 = 1e-6;
+/// Distance within which a coupled group may not turn sharply, in radians or scaled lengths.
+///
+/// Two solutions that cross miss each other by the rounding of the lengths, and the computed motion
+/// turns from one to the other within the square root of that rounding. Such a corner is a change
+/// point, and the motion must not follow it.
+const CORNER: f64 = 1e-6;
+/// Maximum part of a group's rates across the earlier ones, relative to their size, that is no
+/// corner.
+const SHARP: f64 = 0.3;
 /// Step of a linear driver, in the solver's unit length. The step of a turning driver is one
 /// degree.
 const PUSH_STEP: f64 = 1.0 / 128.0;
@@ -43,6 +52,9 @@ const MAX_HALVINGS: usize = 1100;
 pub(super) const MAX_TURNS: usize = 16;
 /// Number of samples needed to detect a minimum of a measure.
 pub(super) const SAMPLES: usize = 3;
+/// Maximum distance between a limit and its exact coordinate, in radians or scaled lengths. An end
+/// further away is another one.
+const REFINED: f64 = 1e-9;
 /// Maximum difference between z and its start in a closed motion.
 const CLOSED: f64 = 1e-7;
 
@@ -95,6 +107,8 @@ pub(super) struct Walker<'e> {
     pub(super) passages: Passages,
     /// The extreme found last, at the next limit.
     pub(super) ahead: Option<ReachExtreme>,
+    /// The step, group and coordinate of a dyad whose extreme at the next limit is lost in rounding.
+    pub(super) blurred: Option<(usize, usize, f64)>,
     /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
     /// The ends of the range at which groups are lined up.
@@ -167,9 +181,15 @@ impl Walker<'_> {
                 let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
                 let Some(beyond) = beyond else {
                     let end = self.refined(limit, &last);
+                    let limit = self.before_blur(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
-                    let is_known =
-                        self.unproved.is_empty() || self.ahead(end.at) <= self.ahead(limit);
+                    let beyond = self.sense * self.engine.difference(limit, end.at);
+                    let most = if self.unproved.is_empty() {
+                        REFINED
+                    } else {
+                        0.0
+                    };
+                    let is_known = beyond <= most;
                     let limit = if is_known {
                         end
                     } else {
@@ -199,6 +219,29 @@ impl Walker<'_> {
             (from, k) = (to, k + 1);
         }
         Ok(WalkEnd::Cut(from))
+    }
+
+    /// Returns the last coordinate at which a dyad is clear of its limit, if rounding hides where
+    /// that limit is. Otherwise returns `limit`.
+    fn before_blur(&mut self, from: f64, limit: f64) -> f64 {
+        let blurred = self.blurred.take().filter(|&(.., at)| at == limit);
+        let Some((step, group, _)) = blurred else {
+            return limit;
+        };
+        let (mut clear, mut blurred) = (from, limit);
+        for _ in 0..MAX_HALVINGS {
+            let middle = clear + 0.5 * (blurred - clear);
+            if middle == clear || middle == blurred {
+                break;
+            }
+            self.stretching(step, middle);
+            if self.is_stretched(step, group, middle) {
+                blurred = middle;
+            } else {
+                clear = middle;
+            }
+        }
+        clear
     }
 
     /// Runs all steps. A mechanism of dyads alone that fails in doubles is run again in
@@ -393,7 +436,7 @@ impl Walker<'_> {
 
     /// Returns `true` if states depend on the path to them. A mechanism of dyads alone needs no
     /// path.
-    fn has_path(&self) -> bool {
+    pub(super) fn has_path(&self) -> bool {
         !self.engine.program.coupled.is_empty()
     }
 
@@ -424,7 +467,26 @@ impl Walker<'_> {
         let mut strains = corrections.iter().zip(&planned);
         let strained = strains.any(|(c, planned)| *c > STRAIN * planned + STRAIN_FLOOR);
         let mut turns = self.state.links.iter().zip(&before.links);
-        !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP)
+        let is_smooth =
+            !strained && turns.all(|(now, then)| (now.d - then.d).norm2() < TURN_STEP * TURN_STEP);
+        is_smooth && !self.has_corner(to)
+    }
+
+    /// Returns `true` if a coupled group turns sharply just before the coordinate of the state.
+    fn has_corner(&mut self, at: f64) -> bool {
+        let Walker {
+            engine,
+            anchors,
+            state,
+            ..
+        } = self;
+        anchors.within(engine, at, CORNER).any(|anchor| {
+            let mut rates = anchors.rates(engine, anchor);
+            engine.program.coupled.iter().any(|group| {
+                let now = &*group.open(&mut state.scratch).first;
+                rates.next().is_some_and(|then| turns_sharply(then, now))
+            })
+        })
     }
 
     /// Narrows a barrier down to neighbouring doubles and returns the last coordinate that exists,
@@ -483,4 +545,11 @@ impl Walker<'_> {
             Condition::Ok | Condition::ChangePoint | Condition::DeadPoint => Ok(()),
         }
     }
+}
+
+/// Returns `true` if a part of `now` larger than [`SHARP`] lies across `then`, or if it points back.
+fn turns_sharply(then: &[f64], now: &[f64]) -> bool {
+    let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let (along, before, size) = (dot(then, now), dot(then, then), dot(now, now));
+    along < 0.0 || size * before - along * along > SHARP * SHARP * size * before
 }

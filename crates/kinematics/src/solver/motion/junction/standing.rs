@@ -2,7 +2,8 @@
 
 use super::Refusal;
 use crate::arithmetic::Series;
-use crate::solver::elements::{Dyad, Height, Snap, ZERO};
+use crate::solver::elements::{Dyad, Height, Snap, Step, ZERO};
+use crate::solver::exact::Exact;
 use crate::solver::motion::walk::Walker;
 use crate::solver::state::State;
 use crate::{Double, Number, Vec2};
@@ -17,6 +18,9 @@ const WORN: f64 = 1e4;
 /// Maximum distance of change points of several groups that count as one, in radians or scaled
 /// lengths. In a mechanism whose lengths come from one formula, they are a few roundings apart.
 const TOGETHER: f64 = 1e-12;
+/// Maximum squared sine, in roundings of the lengths, of a dyad that is as good as singular. Rounding
+/// may split its change point from that of a later dyad by this much.
+const SPLIT: f64 = 64.0;
 /// Maximum shift of pivots, in roundings of their coordinates, for change points that count as one.
 /// A line that begins with a short link is rotated by them.
 const LEVER: f64 = 64.0;
@@ -132,6 +136,28 @@ impl Walker<'_> {
         self.lay(0..step, at.hi, q, direction, &mut series)?;
         let dyad = engine.program.steps[step].dyad()?;
         self.standing(dyad, q, self.slack(), &series).ok()
+    }
+
+    /// Returns `true` if only rounding separates a dyad's change point from that of an earlier dyad.
+    /// All groups pass both at once, where the earlier dyad does.
+    pub(in crate::solver::motion) fn is_split_off(&mut self, step: usize, at: Double) -> bool {
+        let Some(Exact { engine, .. }) = self.exact else {
+            return false;
+        };
+        let (q, direction) = self.coordinate_of(at, FEW);
+        let mut series = engine.state::<Series>(self.state.travels.len());
+        if self
+            .lay(0..step, at.hi, q, direction, &mut series)
+            .is_none()
+        {
+            return false;
+        }
+        let most = SPLIT * self.slack();
+        let mut earlier = engine.program.steps[..step].iter().filter_map(Step::dyad);
+        earlier.any(|dyad| {
+            let square = dyad.square(q, Snap::default(), &series).nearest();
+            square <= most * dyad.right_angle(q, &series)
+        })
     }
 
     /// Returns the coordinate close to `at` where a dyad's reach is extreme, in double-double.
