@@ -290,6 +290,14 @@ fn chains_follow_their_exact_motion_or_end() {
     assert!(50 * refused <= cases, "{refused} of {cases} end early");
 }
 
+/// Chains of kites in which rounding separates change points that coincide: the second one was passed twice.
+#[test]
+fn chains_of_kites_follow_their_exact_motion() {
+    for seed in [104, 106, 171] {
+        assert_eq!(Chain::drawn(seed).judged(), Verdict::Right, "seed {seed}");
+    }
+}
+
 /// Regression test with cranks of 1 and pivots 1.5 apart: the second pin followed a mixture of
 /// parallelogram and antiparallelogram.
 #[test]
