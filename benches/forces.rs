@@ -4,9 +4,12 @@
 //! `cargo bench --bench forces` prints medians and their ratio.
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
 
+mod median;
+
 use krank::scene::{Scene, presets};
 use krank::solver::{Order, Solver, Workspace};
 use krank::study::motor::Duty;
+use median::{median, median_time};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -64,18 +67,10 @@ fn sweep(name: &str, solver: &Solver) {
 /// A study of the motor over one cycle, in ms, with the states that it solves and its own error.
 fn motor(name: &str, scene: &Scene, solver: &Solver) {
     let study = || Duty::new(black_box(&scene.mechanism), solver, None);
-    let mut samples = Vec::new();
-    for _ in 0..SAMPLES {
-        let begun = Instant::now();
-        let _ = black_box(study());
-        samples.push(begun.elapsed().as_secs_f64() * 1e3);
-    }
+    let time = 1e3 * median_time(SAMPLES, study);
     if let Ok(Duty { cycle, .. }) = study() {
         let (states, error) = (cycle.states, cycle.error);
-        println!(
-            "{name:36} {:9.3} {states:11} {error:10.1e}",
-            median(samples)
-        );
+        println!("{name:36} {time:9.3} {states:11} {error:10.1e}");
     }
 }
 
@@ -94,9 +89,4 @@ fn time(solver: &Solver, mut one: impl FnMut(f64)) -> f64 {
         }
     }
     begun.elapsed().as_secs_f64() * 1e9 / f64::from(REPEATS * STATES)
-}
-
-fn median(mut samples: Vec<f64>) -> f64 {
-    samples.sort_by(f64::total_cmp);
-    samples[samples.len() / 2]
 }

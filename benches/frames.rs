@@ -1,12 +1,16 @@
 //! What a frame of the workbench costs while it plays: solving with bounds, drawing with every layer,
 //! the tables, and the bytes for the terminal.
+//!
+//! `cargo bench --bench frames` prints the median time of a frame.
+#![allow(clippy::print_stdout, reason = "the times are to be read")]
 
-use criterion::{Criterion, criterion_group, criterion_main};
+mod median;
+
 use krank::drawing::Glyphs;
 use krank::scene::{Scene, presets};
 use krank::solver::Solver;
 use krank::tui::{Colours, Opened, Origin, Workbench};
-use std::hint::black_box;
+use median::median_time;
 use std::time::Duration;
 
 /// Names, arrows, traces, ghosts, centres of mass and guides, as far as the opening has them off.
@@ -26,26 +30,26 @@ fn workbench(name: &str, cols: u16, rows: u16) -> Workbench {
     Workbench::new(opened, Glyphs::Braille, Colours::Sixteen, cols, rows)
 }
 
-fn frames(c: &mut Criterion) {
+fn main() {
+    // `cargo test --benches` runs this too, to see that it works.
+    let is_timed = std::env::args().any(|argument| argument == "--bench");
+    let frames = if is_timed { 1001 } else { 1 };
     for (cols, rows) in [(80, 24), (200, 60)] {
-        let mut group = c.benchmark_group(format!("{cols}x{rows}"));
         for name in ["four-bar", "jansen-leg"] {
             for (what, keys) in [("as it opens", "space"), ("every layer", EVERY_LAYER)] {
                 let mut workbench = workbench(name, cols, rows);
                 workbench.press(keys);
                 workbench.press(if keys == "space" { "" } else { "space" });
                 workbench.paint();
-                group.bench_function(format!("{name}, {what}"), |b| {
-                    b.iter(|| {
-                        workbench.pass(FRAME);
-                        black_box(workbench.paint().len())
-                    });
+                let time = median_time(frames, || {
+                    workbench.pass(FRAME);
+                    workbench.paint().len()
                 });
+                println!(
+                    "{cols:>3} x {rows}  {name:<10}  {what}  {:>8.1} us",
+                    1e6 * time
+                );
             }
         }
-        group.finish();
     }
 }
-
-criterion_group!(benches, frames);
-criterion_main!(benches);

@@ -1,7 +1,7 @@
 //! The general solver beside closed forms written by hand for the same mechanisms, in the same run,
 //! and a long chain of dyads.
 //!
-//! `cargo bench` prints criterion's figures and, at the end, the medians side by side. Both sides
+//! `cargo bench --bench solve` prints the medians side by side. Both sides
 //! give position, velocity and acceleration of the same points and the turning of the same links, and
 //! are held against each other first.
 #![allow(clippy::print_stdout, reason = "the medians are to be read")]
@@ -9,54 +9,17 @@
 mod both;
 mod chains;
 mod handwritten;
+mod median;
 
 use both::{Agreement, Figures, General, SWEEP, Visitor, angles, by_hand, visit_all};
-use criterion::{BenchmarkId, Criterion, Throughput, criterion_group};
 use krank::solver::{Order, Solver};
+use median::{median, median_time};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 /// Sweeps timed for one sample, and samples for a median.
 const REPEATS: u32 = 20;
 const SAMPLES: usize = 101;
-
-struct Measured<'c>(&'c mut Criterion);
-
-impl Visitor for Measured<'_> {
-    fn visit<const P: usize, const L: usize>(
-        &mut self,
-        name: &str,
-        general: &General<P, L>,
-        form: impl Fn(f64) -> Figures<P, L>,
-        lean: impl Fn(f64) -> Figures<P, L>,
-    ) {
-        let angles = angles();
-        let mut state = general.solver.state();
-        let mut lanes = general.solver.lanes();
-        let mut enclosure = general.solver.enclosure();
-        let mut group = self.0.benchmark_group(name);
-        group
-            .throughput(Throughput::Elements(SWEEP as u64))
-            .warm_up_time(Duration::from_millis(500))
-            .measurement_time(Duration::from_secs(2));
-        group.bench_function("by hand", |b| b.iter(|| by_hand(&form, &angles)));
-        group.bench_function("leanest", |b| b.iter(|| by_hand(&lean, &angles)));
-        group.bench_function("solved", |b| b.iter(|| general.sweep(&angles, &mut state)));
-        group.bench_function("solved and read", |b| {
-            b.iter(|| general.sweep_and_read(&angles, &mut state));
-        });
-        group.bench_function("in lanes", |b| {
-            b.iter(|| general.sweep_in_lanes(&angles, &mut lanes));
-        });
-        group.bench_function("in lanes and read", |b| {
-            b.iter(|| general.sweep_in_lanes_and_read(&angles, &mut lanes));
-        });
-        group.bench_function("with bounds", |b| {
-            b.iter(|| general.sweep_with_bounds(&angles, &mut state, &mut enclosure));
-        });
-        group.finish();
-    }
-}
 
 /// Medians of samples taken in turn, so that a disturbance meets all sides alike.
 struct Ratios;
@@ -116,36 +79,7 @@ fn time(mut sweep: impl FnMut()) -> f64 {
     begin.elapsed().as_nanos() as f64 / (f64::from(REPEATS) * SWEEP as f64)
 }
 
-fn median(mut samples: Vec<f64>) -> f64 {
-    samples.sort_by(f64::total_cmp);
-    samples[samples.len() / 2]
-}
-
 const CHAINS: [usize; 4] = [1, 10, 100, 1000];
-
-fn time_chains(criterion: &mut Criterion) {
-    let mut group = criterion.benchmark_group("chain");
-    group
-        .sample_size(10)
-        .warm_up_time(Duration::from_millis(500))
-        .measurement_time(Duration::from_secs(2));
-    for dyads in CHAINS {
-        let mechanism = chains::grounded(dyads);
-        group.bench_function(BenchmarkId::new("open", dyads), |b| {
-            b.iter(|| Solver::new(black_box(&mechanism)));
-        });
-        let solver = Solver::new(&mechanism).expect("the chain closes");
-        let mut state = solver.state();
-        let mut at = 0.0;
-        group.bench_function(BenchmarkId::new("solve", dyads), |b| {
-            b.iter(|| {
-                at += 1.0;
-                solver.solve(at, Order::Acceleration, &mut state)
-            });
-        });
-    }
-    group.finish();
-}
 
 fn print_chains() {
     println!(
@@ -155,24 +89,19 @@ fn print_chains() {
     for dyads in CHAINS {
         let mechanism = chains::grounded(dyads);
         let runs = if dyads >= 1000 { 5 } else { 21 };
-        let opening = (0..runs).map(|_| {
-            let begin = Instant::now();
-            black_box(Solver::new(black_box(&mechanism)).expect("the chain closes"));
-            begin.elapsed().as_secs_f64() * 1e3
+        let opening = median_time(runs, || {
+            Solver::new(black_box(&mechanism)).expect("the chain closes")
         });
-        let opening = median(opening.collect());
         let solver = Solver::new(&mechanism).expect("the chain closes");
         let mut state = solver.state();
         let mut at = 0.0;
-        let solving = (0..SAMPLES).map(|_| {
-            let begin = Instant::now();
+        let solving = median_time(SAMPLES, || {
             for _ in 0..REPEATS {
                 at += 1.0;
                 let _ = solver.solve(black_box(at), Order::Acceleration, &mut state);
             }
-            begin.elapsed().as_nanos() as f64 / f64::from(REPEATS)
         });
-        let solving = median(solving.collect());
+        let (opening, solving) = (1e3 * opening, 1e9 * solving / f64::from(REPEATS));
         println!(
             "{dyads:<14}{opening:>10.2} ms{solving:>13.0} ns{:>15.1} ns",
             solving / dyads as f64
@@ -180,16 +109,8 @@ fn print_chains() {
     }
 }
 
-fn beside_closed_forms(criterion: &mut Criterion) {
-    visit_all(&mut Measured(criterion));
-}
-
-criterion_group!(benches, beside_closed_forms, time_chains);
-
 fn main() {
     visit_all(&mut Agreement);
-    benches();
-    Criterion::default().configure_from_args().final_summary();
     // `cargo test --benches` runs this too, to see that it works; then nothing is timed.
     if std::env::args().any(|argument| argument == "--bench") {
         println!(

@@ -324,16 +324,31 @@ fn python_scripts_interpolate_input_tables() {
     }
 }
 
-/// Checks that the script of a four-bar with these names agrees with krank. Returns `false` if Python is missing.
+/// Checks that the script of a chain of four-bars with these names agrees with krank. Returns `false`
+/// if Python is missing.
 fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
-    let [a, b, c, d, r2, r3, r4] = names else {
-        panic!("seven names");
+    let [a, b, crank, dyads @ ..] = names else {
+        panic!("{NAMES} names");
     };
+    let mut ground = format!("\"{a}\" = [0, 0]\n");
+    let mut links = format!("\"{crank}\" = {{ from = \"{a}\", to = \"{b}\", length = 100 }}\n");
+    let mut start = String::new();
+    let mut joints = vec![*b];
+    for (k, dyad) in (1..).zip(dyads.chunks_exact(4)) {
+        let [c, d, coupler, rocker] = dyad else {
+            panic!("four names");
+        };
+        let (before, length) = (joints[k - 1], if k == 1 { 300 } else { 400 });
+        ground += &format!("\"{d}\" = [{}, 0]\n", 400 * k);
+        links += &format!(
+            "\"{coupler}\" = {{ from = \"{before}\", to = \"{c}\", length = {length} }}\n\
+             \"{rocker}\" = {{ from = \"{c}\", to = \"{d}\", length = 250 }}\n"
+        );
+        start += &format!("\"{c}\" = [{}, 234]\n", 400 * k - 89);
+        joints.push(c);
+    }
     let text = format!(
-        "[ground]\n\"{a}\" = [0, 0]\n\"{d}\" = [400, 0]\n[driver]\nlink = \"{r2}\"\nangle = 60\n[links]\n\
-         \"{r2}\" = {{ from = \"{a}\", to = \"{b}\", length = 100 }}\n\
-         \"{r3}\" = {{ from = \"{b}\", to = \"{c}\", length = 300 }}\n\
-         \"{r4}\" = {{ from = \"{c}\", to = \"{d}\", length = 250 }}\n[start]\n\"{c}\" = [310, 230]\n"
+        "[ground]\n{ground}[driver]\nlink = \"{crank}\"\nangle = 60\n[links]\n{links}[start]\n{start}"
     );
     let [scene, script] = ["toml", "py"].map(|end| folder.join(format!("names.{end}")));
     std::fs::write(&scene, text).unwrap();
@@ -342,8 +357,8 @@ fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     let Some(found) = python(script, &["60", "60", "1"]) else {
         return false;
     };
-    let columns = format!("{b}.x,{b}.y,{c}.x,{c}.y");
-    let expected = table(scene, "60", &columns);
+    let columns: Vec<String> = joints.iter().map(|c| format!("{c}.x,{c}.y")).collect();
+    let expected = table(scene, "60", &columns.join(","));
     let found: Vec<f64> = rows(&found)[0][1..]
         .iter()
         .map(|cell| cell.parse().unwrap())
@@ -356,6 +371,9 @@ fn agrees_with_names(folder: &std::path::Path, names: &[&str]) -> bool {
     }
     true
 }
+
+/// Number of names in a chain of four-bars: three of the crank and four of each of eight dyads.
+const NAMES: usize = 3 + 4 * 8;
 
 /// Names scene elements like everything that a script defines, imports or calls, like keywords, and
 /// like Python's builtins.
@@ -393,12 +411,12 @@ fn scene_names_do_not_shadow_script_names() {
     let spare = ["A1", "B1", "C1", "D1", "s2", "s3", "s4"].map(str::to_owned);
     names.extend(spare);
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    for seven in names.chunks_exact(7) {
-        if !agrees_with_names(&folder, seven) {
+    for some in names.chunks_exact(NAMES) {
+        if !agrees_with_names(&folder, some) {
             return;
         }
     }
-    let last = &names[names.len() - 7..];
+    let last = &names[names.len() - NAMES..];
     agrees_with_names(&folder, last);
     // A point on a link is named after link and point, unless that name is taken.
     let text = "unit = \"mm\"\n[ground]\nA = [0, 0]\nD = [400, 0]\n[driver]\nlink = \"r2\"\nangle = 60\n[links]\n\

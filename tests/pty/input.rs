@@ -22,34 +22,41 @@ fn keys_work_after_noise_on_the_line() {
 /// Pasted text with keys that quit, save, open, edit or end a line is not read as keys in any mode.
 #[test]
 fn paste_is_not_read_as_keys_in_any_mode() {
-    let harmful = "\x1b[200~q\x03\x1a\rw\r\nWx\r\x1b[An.5\x7f\u{202e}\x00\r\r\x1b[201~";
     // Each key opens a mode that Esc closes: views, help, go to, assemblies, files.
-    for keys in ["1", "2", "3", "4", "5", "6", "e", "?", "g", "a", "w", "W"] {
-        let mut session = Session::krank(&["four-bar"]);
-        session.wait_for("60.00 deg").send(keys);
-        session.settle();
-        session.send(harmful);
-        session.settle();
-        let seen = session.screen();
-        assert!(
-            session.child.try_wait().unwrap().is_none(),
-            "{keys}\n{seen}"
-        );
-        assert!(
-            seen.chars().all(|c| c == '\n' || !c.is_control()),
-            "{keys}\n{seen}"
-        );
-        // An ESC counts as a key if nothing follows it.
-        for _ in 0..2 {
-            session.send("\x1b");
-            thread::sleep(Duration::from_millis(80));
+    let keys = ["1", "2", "3", "4", "5", "6", "e", "?", "g", "a", "w", "W"];
+    thread::scope(|scope| {
+        for keys in keys {
+            scope.spawn(move || paste_is_not_read_after(keys));
         }
-        session.send_until("1", "the motion", |seen| {
-            let screen = seen.terminal.screen().contents();
-            screen.contains("four-bar   60.00 deg")
-        });
-        assert!(session.ended_by_ctrl_c().success(), "{keys}");
+    });
+}
+
+fn paste_is_not_read_after(keys: &str) {
+    let harmful = "\x1b[200~q\x03\x1a\rw\r\nWx\r\x1b[An.5\x7f\u{202e}\x00\r\r\x1b[201~";
+    let mut session = Session::krank(&["four-bar"]);
+    session.wait_for("60.00 deg").send(keys);
+    session.settle();
+    session.send(harmful);
+    session.settle();
+    let seen = session.screen();
+    assert!(
+        session.child.try_wait().unwrap().is_none(),
+        "{keys}\n{seen}"
+    );
+    assert!(
+        seen.chars().all(|c| c == '\n' || !c.is_control()),
+        "{keys}\n{seen}"
+    );
+    // An ESC counts as a key if nothing follows it.
+    for _ in 0..2 {
+        session.send("\x1b");
+        thread::sleep(Duration::from_millis(80));
     }
+    session.send_until("1", "the motion", |seen| {
+        let screen = seen.terminal.screen().contents();
+        screen.contains("four-bar   60.00 deg")
+    });
+    assert!(session.ended_by_ctrl_c().success(), "{keys}");
 }
 
 /// Only a key enables the mouse, and only its buttons are reported. Every exit disables it.

@@ -13,15 +13,15 @@ fn session(name: &str, glyphs: Glyphs, cols: u16, rows: u16) -> Session {
 
 /// Returns all lines of the view, found by scrolling.
 fn all(session: &mut Session) -> Vec<String> {
-    let mut lines: Vec<String> = session.body().lines().map(str::to_owned).collect();
+    let mut shown = session.body();
+    let mut lines: Vec<String> = shown.lines().map(str::to_owned).collect();
     for _ in 0..2_000 {
-        let before = session.body();
-        session.press("Down");
-        let after = session.body();
-        if after == before {
+        let below = session.press("Down").body();
+        if below == shown {
             break;
         }
-        lines.push(after.lines().last().unwrap().to_owned());
+        lines.push(below.lines().last().unwrap().to_owned());
+        shown = below;
     }
     lines
         .iter()

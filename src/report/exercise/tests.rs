@@ -9,6 +9,7 @@ use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles};
 use crate::study::{FigureVerdict, RoundedEarly, SheetScene};
 use proptest::prelude::*;
 use std::path::Path;
+use std::sync::LazyLock;
 
 fn key(name: &str, more: &[String]) -> AnswerKey {
     key_at(name, None, more)
@@ -57,15 +58,16 @@ fn graded_rows(name: &str, at: Option<f64>, rows: &str) -> GradedAnswers {
 
 /// Grades the bytes of an answer file to a scene.
 fn graded_file(scene: &str, at: Option<f64>, bytes: &[u8]) -> GradedAnswers {
-    let (scene, solver) = opened(scene);
-    let at = at.unwrap_or(scene.mechanism.driver().start);
-    let file = AnswerFile::read(bytes).unwrap().of_scene(&scene);
-    let key = key_of(&scene, &solver, at, &file.names());
-    let sheet = SheetScene {
-        scene: &scene,
-        solver: &solver,
-        at,
-    };
+    let opened = opened(scene);
+    let at = at.unwrap_or(opened.0.mechanism.driver().start);
+    graded_by(&opened, at, bytes)
+}
+
+/// Grades the bytes of an answer file to an open scene.
+fn graded_by((scene, solver): &(Scene, Solver), at: f64, bytes: &[u8]) -> GradedAnswers {
+    let file = AnswerFile::read(bytes).unwrap().of_scene(scene);
+    let key = key_of(scene, solver, at, &file.names());
+    let sheet = SheetScene { scene, solver, at };
     GradedAnswers::new(&key, &file, Path::new("notes.csv"), ("sheet.toml", sheet))
 }
 
@@ -864,7 +866,9 @@ fn every_misread_value_costs_one_point() {
 /// Wrong answers without a common cause have no explanation.
 #[test]
 fn unrelated_mistakes_are_not_a_misread_value() {
-    let key = key("four-bar", &[]);
+    let opened = opened(preset("four-bar"));
+    let start = opened.0.mechanism.driver().start;
+    let key = key_of(&opened.0, &opened.1, start, &[]);
     let mut chance = crate::numeric::SeededRng::new(5);
     let mut points = 0;
     for _ in 0..20 {
@@ -873,7 +877,7 @@ fn unrelated_mistakes_are_not_a_misread_value() {
             format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
         });
         let rows: String = rows.collect();
-        let graded = graded_rows("four-bar", None, &rows);
+        let graded = graded_by(&opened, start, rows.as_bytes());
         assert_eq!(graded.misread, None, "{rows}");
         points += graded.counts().points();
     }
@@ -884,7 +888,9 @@ fn unrelated_mistakes_are_not_a_misread_value() {
 /// Of two independent mistakes, neither is explained by a misread value that causes the other.
 #[test]
 fn two_unrelated_mistakes_are_rarely_a_misread_value() {
-    let key = key("four-bar", &[]);
+    let opened = opened(preset("four-bar"));
+    let start = opened.0.mechanism.driver().start;
+    let key = key_of(&opened.0, &opened.1, start, &[]);
     let last = u32::try_from(key.figures.len() - 1).unwrap();
     let mut chance = crate::numeric::SeededRng::new(7);
     let mut explained = 0;
@@ -898,7 +904,8 @@ fn two_unrelated_mistakes_are_rarely_a_misread_value() {
             format!("{};;{:.3e}\n", f.quantity.name, f.exact * factor)
         });
         let rows: String = rows.collect();
-        explained += usize::from(graded_rows("four-bar", None, &rows).misread.is_some());
+        let graded = graded_by(&opened, start, rows.as_bytes());
+        explained += usize::from(graded.misread.is_some());
     }
     assert!(explained <= 2, "{explained}");
 }
@@ -992,14 +999,17 @@ proptest! {
     fn grading_never_panics(
         answers in prop::collection::vec((0_usize..40, "[-+]?[0-9]{0,5}[.,]?[0-9]{0,4}(e-?[0-9]{1,3})?|.{0,12}"), 1..30),
     ) {
-        let key = key("slider-crank", &[]);
+        static OPENED: LazyLock<(Scene, Solver)> = LazyLock::new(|| opened(preset("slider-crank")));
+        let (scene, solver) = &*OPENED;
+        let start = scene.mechanism.driver().start;
+        let key = key_of(scene, solver, start, &[]);
         let rows = answers.iter().map(|(number, answer)| {
             let figure = key.figures.get(*number).map_or("x.y", |f| f.quantity.name.as_str());
             format!("{figure};;{answer}\n")
         });
         let rows = rows.collect::<String>();
         if AnswerFile::read(rows.as_bytes()).is_ok() {
-            let graded = graded_rows("slider-crank", None, &rows);
+            let graded = graded_by(&OPENED, start, rows.as_bytes());
             prop_assert_eq!(graded.figures.len(), key.figures.len());
             let _ = graded.page();
             let mut text = Vec::new();

@@ -261,8 +261,9 @@ mod nudges {
                     let named = format!("{} {} {sense}", preset.name, value.name);
                     let moved = farthest(&first, &edited.opened.solver);
                     assert!(moved < MAX_MOVE, "{named}: {moved}");
-                    let again = open_scene(edited.opened.scene.text());
-                    let same = agree(again.scene(), &edited.opened.solver, again.solver());
+                    let again = Scene::parse(edited.opened.scene.text(), "test").unwrap();
+                    let solver = Solver::new(&again.mechanism).unwrap();
+                    let same = agree(&again, &edited.opened.solver, &solver);
                     assert!(same, "{named}");
                 }
             }

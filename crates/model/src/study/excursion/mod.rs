@@ -258,24 +258,27 @@ impl Excursion {
     }
 }
 
+/// The relative change between a few places that proves that a quantity changes: over the whole
+/// motion, the change is then above [`LEVEL`].
+const CERTAIN: f64 = 1e-6;
+
 /// Returns, for each quantity, `true` if it changes over the motion or has no value anywhere.
 #[must_use]
 pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
     let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
+    let sampled = sampler.at_few_places();
+    let sampled = sampled.iter().enumerate();
+    let changes = sampled.map(|(column, values)| sampler.changes(column, values, CERTAIN));
+    let mut changes: Vec<bool> = changes.map(|changes| changes == Some(true)).collect();
+    // The others need the whole motion.
+    let open: Vec<usize> = (0..figures.len()).filter(|&i| !changes[i]).collect();
+    let others = open.iter().map(|&i| &figures[i]);
+    let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, others, 0);
     let sampled = sampler.along_motion();
-    let changes = |(column, sampled): (usize, &SampledFigure)| {
-        let values = sampled.by_degree[0]
-            .iter()
-            .filter(|value| value.is_finite());
-        let ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &value| {
-            [low.min(value), high.max(value)]
-        });
-        let size = ends
-            .iter()
-            .fold(sampler.size(column), |most, end| most.max(end.abs()));
-        !(ends[1] - ends[0]).is_finite() || ends[1] - ends[0] > LEVEL * size
-    };
-    sampled.iter().enumerate().map(changes).collect()
+    for (column, (i, values)) in open.into_iter().zip(&sampled).enumerate() {
+        changes[i] = sampler.changes(column, values, LEVEL) != Some(false);
+    }
+    changes
 }
 
 /// Returns a place reduced to the first period.

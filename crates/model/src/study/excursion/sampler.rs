@@ -249,13 +249,40 @@ impl MotionSampler {
         FigureSample { at, value, slope }
     }
 
+    /// Returns `true` if the sampled values of a column differ by more than a part of their size, and
+    /// `None` without values.
+    pub(super) fn changes(
+        &self,
+        column: usize,
+        sampled: &SampledFigure,
+        part: f64,
+    ) -> Option<bool> {
+        let values = sampled.by_degree[0].iter().filter(|v| v.is_finite());
+        let start = [f64::INFINITY, f64::NEG_INFINITY];
+        let [low, high] = values.fold(start, |[low, high], &v| [low.min(v), high.max(v)]);
+        let size = self.size(column).max(low.abs()).max(high.abs());
+        (high - low).is_finite().then(|| high - low > part * size)
+    }
+
     /// Samples every column along the whole motion.
     pub(super) fn along_motion(&mut self) -> Vec<SampledFigure> {
+        self.along(&places(self.range, &self.marks))
+    }
+
+    /// Samples every column at a few places of the motion.
+    pub(super) fn at_few_places(&mut self) -> Vec<SampledFigure> {
         let places = places(self.range, &self.marks);
+        let apart = (places.len() / LANES).max(1);
+        let few: Vec<f64> = places.into_iter().step_by(apart).take(LANES).collect();
+        self.along(&few)
+    }
+
+    /// Samples every column at some places in ascending order.
+    fn along(&mut self, places: &[f64]) -> Vec<SampledFigure> {
         let columns = self.columns.iter();
         let mut sampled: Vec<SampledFigure> = columns
             .map(|column| SampledFigure {
-                at: places.clone(),
+                at: places.to_vec(),
                 by_degree: vec![Vec::with_capacity(places.len() + LANES); column.by_degree.len()],
             })
             .collect();

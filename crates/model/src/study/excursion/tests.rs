@@ -1,6 +1,7 @@
 //! Tests excursions against closed formulas, which are written out here.
 
-use super::{CycleFigure, CycleFigures, Excursion, ExcursionOptions, NoFigure};
+use super::sampler::{MotionSampler, SlopeSource};
+use super::{CycleFigure, CycleFigures, Excursion, ExcursionOptions, LEVEL, NoFigure, changing};
 use crate::quantity::Catalogue;
 use crate::scene::{Scene, presets};
 use crate::solver::{Order, Solver};
@@ -434,4 +435,24 @@ fn peak_next_to_near_miss_is_found() {
         "{hardest:?} {largest}"
     );
     assert!(hardest.value < largest * 1.01, "{hardest:?} {largest}");
+}
+
+/// A change between a few places is one of the whole motion, too.
+#[test]
+fn changing_values_equal_those_of_whole_motion() {
+    let mut seen = [0, 0];
+    for preset in presets::all() {
+        let scene = Scene::parse(preset.text, preset.name).unwrap();
+        let solver = Solver::new(&scene.mechanism).unwrap();
+        let catalogue = Catalogue::new(&scene);
+        let all = [catalogue.figures(), catalogue.unlisted()].concat();
+        let mut sampler = MotionSampler::new(&solver, SlopeSource::Nothing, all.iter(), 0);
+        let whole = sampler.along_motion();
+        for ((column, values), changes) in whole.iter().enumerate().zip(changing(&solver, &all)) {
+            let expected = sampler.changes(column, values, LEVEL) != Some(false);
+            assert_eq!(changes, expected, "{} {}", preset.name, all[column].name);
+            seen[usize::from(changes)] += 1;
+        }
+    }
+    assert!(seen[0] > 50 && seen[1] > 500, "{seen:?}");
 }

@@ -167,24 +167,24 @@ impl AnswerKey {
             let is_copied = own.value == written.value;
             Some(is_nearer && !is_copied && apart <= own.unit_of(MIN_COUNT, MAX_COUNT) + carried)
         };
-        let explained = |number: f64| {
-            let there = figures(number)?;
+        let explained = |number: f64, there: &[Option<f64>]| {
             let others = lost.iter().filter(|(number, _)| *number != first);
             let explained =
-                others.filter(|(number, own)| is_explained(&there, *number, *own) == Some(true));
-            Some((
+                others.filter(|(number, own)| is_explained(there, *number, *own) == Some(true));
+            (
                 number,
                 explained.map(|(number, _)| *number).collect::<Vec<_>>(),
-            ))
+            )
         };
         // A round number is preferred, unless the exact one explains more.
         let round = roundest(found, (parts * FIRST_STEP * found).abs());
-        let (round, exact) = (explained(round), explained(found));
-        match (round, exact) {
-            (Some(round), Some(exact)) if exact.1.len() > round.1.len() => Some(exact),
-            (Some(round), _) => Some(round),
-            (None, exact) => exact,
-        }
+        let exact = explained(found, &beside.0);
+        let round = match round == found {
+            true => None,
+            false => figures(round).map(|there| explained(round, &there)),
+        };
+        let is_better = |round: &(f64, Vec<usize>)| round.1.len() >= exact.1.len();
+        Some(round.filter(is_better).unwrap_or(exact))
     }
 }
 
@@ -241,6 +241,9 @@ impl SheetScene<'_> {
         let is_coordinate = value.owner == ValueOwner::Driver && !value.measure.is_rate();
         if is_coordinate {
             return solved(self.solver, number, read);
+        }
+        if number == value.number {
+            return solved(self.solver, self.at, read);
         }
         let changed = self.scene.with_value(value, &value.with_number(number));
         let scene = self.scene.again(&changed)?;
