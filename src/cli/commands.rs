@@ -9,7 +9,7 @@ use super::sweep::{clock, figures, tell_of_motion};
 use crate::Input;
 use crate::quantity::{Catalogue, Hidden, MAX_DERIVATIVES, Quantity, Sensitivity};
 use crate::report::{
-    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses, stops,
+    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses, stop_before,
 };
 use crate::scene::{Scene, presets, sanitized};
 use crate::solver::{Condition, Order, Solver, State};
@@ -161,10 +161,9 @@ pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
     let covered = limits_text(solver.motion().range, driver);
     let (low, high) = solver.motion().range.ends();
     let end = if at < low { low } else { high };
-    let met = stops(scene, solver);
-    let stop = met.iter().find(|stop| stop.at == end);
-    Failure::Cannot(match stop {
-        Some(stop) => stop.before(at, &driver.unit, &covered),
+    let mut stops = solver.motion().stops.iter();
+    Failure::Cannot(match stops.find(|stop| stop.at == end) {
+        Some(stop) => stop_before(scene, stop.limit, (at, &driver.unit), &covered),
         None => words().cannot_be_assembled(&at, &driver.unit, &covered),
     })
 }
@@ -196,10 +195,8 @@ pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
 /// Warns about nearby change points, where the last digits of the lengths determine how the motion
 /// continues.
 pub(super) fn note_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
-    let catalogue = Catalogue::new(scene);
-    let unit = &catalogue.driver().unit;
-    for miss in near_misses(scene, solver) {
-        note(&miss.text(unit), screen);
+    for text in near_misses(scene, solver) {
+        note(&text, screen);
     }
 }
 

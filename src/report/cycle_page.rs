@@ -1,9 +1,9 @@
 //! Formats the behaviour of values over the motion as a page.
 
-use super::check_page::{condition_text, place_text};
 use super::cycle_report::{CycleReport, FollowedFigure, WorstPlace};
 use super::entry::{seen, seen_bound};
 use super::number::{concise, known_digits, significant, upwards};
+use super::places::place_text;
 use crate::page::{Content, Facts, Page, TextStyle};
 use crate::quantity::{Quantity, rate_unit};
 use crate::scene::Scene;
@@ -78,7 +78,7 @@ impl CycleReport {
         });
         facts.tell(&indented(words().label_transmission()), angles);
         let conditions = self.condition.iter();
-        let conditions = conditions.map(|facts| condition_text(facts, &self.driver.unit));
+        let conditions = conditions.map(|worst| worst.condition_text(&self.driver.unit));
         facts.tell(&indented(words().label_condition()), conditions);
         page.heading(words().mechanism_as_a_whole().to_owned());
         page.add(Content::Facts(facts));

@@ -1,27 +1,44 @@
 //! Collects the behaviour of values over the whole motion, and the quality of transmission.
 
-use super::check::{ConditionFacts, ElementNames};
+use super::check::group_name;
 use super::csv_dialect::{CsvDialect, CsvSheet};
 use super::entry::{NOISE, seen};
-use super::range_text::range_text;
+use super::number::concise;
+use super::places::{place_text, range_text};
 use crate::Body;
 use crate::quantity::{Catalogue, Quantity, demand, rate_unit};
 use crate::scene::Scene;
-use crate::solver::{Condition, Range, Solver};
+use crate::solver::{Condition, Conditioning, Range, Solver, Transmission};
 use crate::study::{Excursion, ExcursionOptions, FigurePlace, NoFigure};
 use crate::wording::{Language, Words, english_words, words};
 use serde_json::{Value, json};
 use std::io;
 
-/// The worst transmission angle of a dyad.
+/// The worst transmission angle of a dyad, or the worst condition of a coupled group.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorstPlace {
-    /// The name of the dyad.
+    /// The name of the group.
     pub group: String,
-    /// The angle in degrees, folded to at most 90, which is the optimum.
+    /// The angle in degrees, folded to at most 90, which is the optimum; or the ratio of the minimum
+    /// to the maximum singular value: 1 at best, 0 at a dead point or a change point.
     pub least: f64,
     /// The driver's coordinate.
     pub at: f64,
+}
+
+/// Significant digits of a condition.
+const DIGITS: usize = 3;
+
+impl WorstPlace {
+    pub(super) fn to_json(&self) -> Value {
+        json!({"group": self.group, "least": self.least, "at": self.at + 0.0})
+    }
+
+    /// Describes the worst condition of a coupled group.
+    pub(super) fn condition_text(&self, unit: &str) -> String {
+        let magnified = concise(1.0 / self.least, DIGITS);
+        words().condition_at(&self.group, &magnified, &place_text(self.at, unit))
+    }
 }
 
 /// A column over the motion.
@@ -68,7 +85,7 @@ pub struct CycleReport {
     /// Every dyad at the place where its transmission angle deviates most from 90 degrees.
     pub transmission: Vec<WorstPlace>,
     /// Every coupled group with its worst condition.
-    pub condition: Vec<ConditionFacts>,
+    pub condition: Vec<WorstPlace>,
     pub(super) scene: String,
     pub(super) range: Range,
     pub(super) range_text: String,
@@ -104,7 +121,7 @@ impl CycleReport {
     ) -> CycleReport {
         CycleReport {
             transmission: transmission(scene, solver),
-            condition: ElementNames { scene }.condition(solver),
+            condition: conditions(scene, solver),
             ..CycleReport::of_columns(scene, solver, columns, tolerance)
         }
     }
@@ -175,15 +192,14 @@ impl CycleReport {
     /// Returns the report as JSON; a missing value is an object with the reason.
     #[must_use]
     pub fn to_json(&self) -> Value {
-        let worst = |w: &WorstPlace| json!({"group": w.group, "least": w.least, "at": w.at + 0.0});
         let (low, high) = self.range.ends();
         json!({
             "scene": self.scene,
             "range": [low, high],
             "turns_fully": matches!(self.range, Range::Full { .. }),
             "figures": self.figures.iter().map(|f| self.figure_json(f)).collect::<Vec<_>>(),
-            "transmission": self.transmission.iter().map(worst).collect::<Vec<_>>(),
-            "condition": self.condition,
+            "transmission": self.transmission.iter().map(WorstPlace::to_json).collect::<Vec<_>>(),
+            "condition": self.condition.iter().map(WorstPlace::to_json).collect::<Vec<_>>(),
         })
     }
 
@@ -360,7 +376,7 @@ impl CycleReport {
 
 /// Returns the reason why a value is missing; `driver` is the unit of the driver's coordinate.
 pub(super) fn figure_reason(why: NoFigure, driver: &str, told: &dyn Words) -> String {
-    let place = |at: f64| super::check_page::place_text(at, driver);
+    let place = |at: f64| place_text(at, driver);
     match why {
         NoFigure::Gap(at) => told.no_value_at(&place(at)),
         NoFigure::TurnsRound => told.turns_round().into(),
@@ -459,20 +475,31 @@ fn bounds_at(solver: &Solver, column: &Quantity, places: &[f64]) -> Vec<(f64, Op
 
 /// Returns every dyad at the place where its transmission angle deviates most from 90 degrees.
 fn transmission(scene: &Scene, solver: &Solver) -> Vec<WorstPlace> {
-    let names = ElementNames { scene };
-    let worst = |found: &crate::solver::Transmission| {
+    let worst = |found: &Transmission| {
         let [least, most] = [found.smallest, found.largest];
         let at = match 90.0 - least.angle < most.angle - 90.0 {
             true => most.at,
             false => least.at,
         };
         Some(WorstPlace {
-            group: names.group_name(solver.plan().group(found.group)?),
+            group: group_name(scene, solver.plan().group(found.group)?).to_owned(),
             least: 90.0 - found.deviation(),
             at,
         })
     };
     solver.transmission().iter().filter_map(worst).collect()
+}
+
+/// Returns the worst condition of every coupled group.
+pub(super) fn conditions(scene: &Scene, solver: &Solver) -> Vec<WorstPlace> {
+    let worst = |found: &Conditioning| {
+        Some(WorstPlace {
+            group: group_name(scene, solver.plan().group(found.group)?).to_owned(),
+            least: found.least,
+            at: found.at,
+        })
+    };
+    solver.conditioning().iter().filter_map(worst).collect()
 }
 
 fn longest_dwell(excursion: &Excursion) -> Result<f64, NoFigure> {

@@ -1,8 +1,8 @@
 //! Reports the result of a search for goals, or for the best design.
 
+use super::check::stops_json;
 use super::cycle_report::figure_reason;
 use super::number::{concise, significant, trimmed};
-use super::stop_facts::stops;
 use super::verdict::motion_text;
 use crate::page::{Cell, Content, Facts, Page, Table, TextStyle, with_unit};
 use crate::quantity::Catalogue;
@@ -224,7 +224,7 @@ fn motion(design: &Design, as_given: bool) -> Value {
     json!({
         "range": range,
         "period": period,
-        "stops": stops(&design.scene, &design.solver),
+        "stops": stops_json(&design.scene, &design.solver),
         "as_given": as_given,
     })
 }

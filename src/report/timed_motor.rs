@@ -1,7 +1,7 @@
 //! Reports the motor over the period of a motion over time, as text and as data.
 
+use super::check::leaves_text;
 use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::motion_facts::leaves_text;
 use super::motor::{NOTHING, PARTS, cell};
 use super::motor_csv::{step_cells, step_heads};
 use super::number::{concise, significant};

@@ -9,7 +9,7 @@ use super::symbols;
 use crate::page::UNIT;
 use crate::quantity::{Catalogue, state_word};
 use crate::report::number::concise;
-use crate::report::range_text::limits_text;
+use crate::report::places::limits_text;
 use crate::solver::Condition;
 use crate::wording::words;
 use crate::{Body, Input, InputLaw, LinkId};

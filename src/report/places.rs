@@ -1,4 +1,4 @@
-//! Describes the range of the driver.
+//! Formats coordinates of the driver: places, limits and the range.
 
 use super::number::{concise, upwards};
 use crate::quantity::Quantity;
@@ -7,6 +7,8 @@ use crate::wording::words;
 
 /// Decimals of limits: the precision of a double at some hundred degrees.
 pub(super) const DECIMALS: usize = 12;
+/// Maximum number of decimals of a place.
+const PLACE_DECIMALS: usize = 6;
 /// Significant digits of the errors of ends.
 const BOUND_DIGITS: usize = 2;
 
@@ -35,12 +37,25 @@ pub(super) fn errors_text(bounds: [Option<f64>; 2], unit: &str) -> String {
 
 /// Formats a limit with up to 12 decimals, without trailing zeros.
 pub(super) fn limit_text(limit: f64) -> String {
-    let decimals = format!("{limit:.DECIMALS$}");
-    let text = decimals.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" {
-        "0".into()
-    } else {
-        text.into()
+    short(limit, DECIMALS)
+}
+
+/// Formats a coordinate with its unit.
+pub(super) fn place_text(at: f64, unit: &str) -> String {
+    format!("{} {unit}", place(at))
+}
+
+/// Formats the place of an extremum with few digits; exact limits are shown elsewhere.
+pub(super) fn place(at: f64) -> String {
+    short(at, PLACE_DECIMALS)
+}
+
+/// Formats a coordinate with so many decimals, without trailing zeros.
+fn short(at: f64, decimals: usize) -> String {
+    let fixed = format!("{at:.decimals$}");
+    match fixed.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => "0".into(),
+        text => text.into(),
     }
 }
 
