@@ -10,12 +10,12 @@ use super::study_rows;
 use crate::files::{AppendFile, Output, ResumableFile, WriteError};
 use crate::parallel;
 use crate::quantity::Catalogue;
-use crate::report::{DesignFormat, DesignSummary, DesignTable, MAX_ROWS};
+use crate::report::{DesignSummary, DesignTable, MAX_ROWS};
 use crate::study::{
     CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
 };
 use crate::wording::words;
-use std::io::{self, Write};
+use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
@@ -43,18 +43,13 @@ pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure>
         StudyFormat::Json => OutputFormat::Json,
         StudyFormat::Text | StudyFormat::Chart | StudyFormat::Svg => OutputFormat::Text,
     };
-    let dialect = args.csv.dialect(format)?;
     let digits = usize::from(args.digits);
+    let format = args.csv.rows(format, digits)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let axes = axes(args)?;
     let space = DesignSpace::of_axes(&scene, &solver, &axes)
         .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
     let ready = ready(args, &axes, space)?;
-    let format = match format {
-        OutputFormat::Csv => DesignFormat::Csv(dialect),
-        OutputFormat::Json => DesignFormat::Json,
-        OutputFormat::Text => DesignFormat::Text { digits },
-    };
     let table = DesignTable::new(&ready.figures, &ready.driver, format, !args.no_units);
     let designs = match args.part {
         Some(part) => part.of(ready.plan.count()),
@@ -145,17 +140,17 @@ impl<'a> StudyRows<'a> {
     }
 
     /// Formats rows and adds them to the summary.
-    fn lines(&mut self, rows: &[DesignRow]) -> io::Result<String> {
+    fn lines(&mut self, rows: &[DesignRow]) -> String {
         let mut text = String::new();
         for row in rows {
-            text += &self.table.line(row, self.summary.rows == 0)?;
+            text += &self.table.line(row, self.summary.rows == 0);
             self.summary.note(row);
             if self.summary.valued == 0 && self.reason.is_empty() {
                 self.reason = self.table.reason(row);
             }
         }
         self.progress.tell(self.summary.rows);
-        Ok(text)
+        text
     }
 }
 
@@ -174,7 +169,7 @@ fn grow<'a>(
     screen: TextScreen,
 ) -> Result<StudyRows<'a>, Failure> {
     let failed = |why: WriteError| Failure::Output(Some(path.to_owned()), why.into());
-    let head = table.head().map_err(|e| failed(e.into()))?;
+    let head = table.head();
     let (mut file, done) = match args.resume {
         true => resumed(ready, table, designs.clone(), path, screen)?,
         false => (
@@ -192,7 +187,7 @@ fn grow<'a>(
     let mut rows = StudyRows::new(table, rest.end - rest.start, Some(path), screen);
     let outcome = ready
         .run(rest)
-        .each(&mut |some| file.write(&rows.lines(&some)?));
+        .each(&mut |some| file.write(&rows.lines(&some)));
     let outcome = outcome.and_then(|()| file.finish());
     rows.progress.clear();
     outcome.map_err(failed)?;
@@ -211,8 +206,7 @@ fn resumed(
     let failed = |why: WriteError| Failure::Output(Some(path.to_owned()), why.into());
     let shown = path.display().to_string();
     let other = |line: u64| Failure::Usage(words().file_of_other_study(&shown, line));
-    let head = table.head().map_err(|e| failed(e.into()))?;
-    let grown = ResumableFile::open(path, &head).map_err(failed)?;
+    let grown = ResumableFile::open(path, &table.head()).map_err(failed)?;
     let grown = grown.ok_or_else(|| other(1))?;
     let all = designs.end - designs.start;
     if grown.lines > all {
@@ -222,7 +216,7 @@ fn resumed(
     for (number, line) in &grown.samples {
         let numbers = ready.plan.numbers(designs.start + number);
         let row = DesignRow::of(numbers, &mut figures);
-        if table.line(&row, false).map_err(|e| failed(e.into()))? != *line {
+        if table.line(&row, false) != *line {
             return Err(other(number + 2));
         }
     }
@@ -243,9 +237,9 @@ fn write<'a>(
     let path = args.output.output.as_deref();
     let mut rows = StudyRows::new(table, designs.end - designs.start, path, screen);
     let outcome = write_to(path, |out: &mut dyn Write| {
-        out.write_all(table.head()?.as_bytes())?;
+        out.write_all(table.head().as_bytes())?;
         let run = ready.run(designs);
-        run.each(&mut |some| out.write_all(rows.lines(&some)?.as_bytes()))?;
+        run.each(&mut |some| out.write_all(rows.lines(&some).as_bytes()))?;
         out.write_all(table.foot().as_bytes())
     });
     rows.progress.clear();

@@ -10,7 +10,7 @@ use super::screen::TextScreen;
 use super::study::{ReadyStudy, judge};
 use crate::Vec2;
 use crate::drawing::plot::{GridMap, Plot, PlotStyle};
-use crate::report::{DesignColumn, DesignSummary, DesignTable};
+use crate::report::{DesignSummary, DesignTable, RowColumn};
 use crate::wording::words;
 
 /// Maximum number of designs in a chart; more would not be visible.
@@ -74,7 +74,7 @@ fn needs_grid() -> Failure {
 fn drawn_axes<'a>(
     args: &StudyArgs,
     ready: &ReadyStudy,
-    numbers: &'a [DesignColumn],
+    numbers: &'a [RowColumn],
 ) -> Result<Vec<DrawnAxis<'a>>, Failure> {
     let plan = &ready.plan;
     let is_grid = args.latin.is_none() && args.part.is_none() && !args.resume;

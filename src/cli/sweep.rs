@@ -1,6 +1,6 @@
 //! `krank sweep`: writes values row by row over the motion.
 
-use super::args::{OutputFormat, SweepArgs};
+use super::args::SweepArgs;
 use super::commands::{check_derivative_count, note_lacking, note_near_misses, note_unproved};
 use super::failure::{Failure, note};
 use super::measured::beside;
@@ -11,8 +11,7 @@ use super::source::SolvableScene;
 use crate::Input;
 use crate::quantity::{Catalogue, Clock, Quantity, TimeError, UnknownColumn};
 use crate::report::{
-    Columns, ExtraColumns, Missing, RowFormat, Steps, Sweep, SweepOutcome, WrittenDecimal,
-    limits_text,
+    Columns, ExtraColumns, Missing, Steps, Sweep, SweepOutcome, WrittenDecimal, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Order, Range};
@@ -26,14 +25,8 @@ const STEP: f64 = 1.0;
 const STEPS_OF_A_SLIDE: f64 = 100.0;
 
 pub(super) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
-    let dialect = args.figures.csv.dialect(args.format)?;
-    let format = match args.format {
-        OutputFormat::Csv => RowFormat::Csv(dialect),
-        OutputFormat::Json => RowFormat::Json,
-        OutputFormat::Text => RowFormat::Text {
-            digits: usize::from(args.figures.digits),
-        },
-    };
+    let digits = usize::from(args.figures.digits);
+    let format = args.figures.csv.rows(args.format, digits)?;
     let opened = args.scene.open_for(&args.output)?;
     if let Some(file) = &args.measured {
         return beside(file, args, format, &opened, screen);

@@ -13,7 +13,7 @@ use super::sweep::{RowEnds, entries, figures, steps};
 use crate::Tolerances;
 use crate::quantity::{Catalogue, Quantity, demand, length_name};
 use crate::report::{
-    ToleranceFormat, ToleranceOutcome, ToleranceReport, ToleranceRows, WrittenDecimal, limits_text,
+    ToleranceOutcome, ToleranceReport, ToleranceRows, WrittenDecimal, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
@@ -22,13 +22,15 @@ use crate::wording::words;
 
 /// Default step, in degrees: 72 rows per turn.
 const STEP: f64 = 5.0;
+/// Significant digits of rows in text.
+const DIGITS: usize = 6;
 /// Default number of random machines at one coordinate.
 const USUAL_SAMPLES: u32 = 100_000;
 /// Default number of random machines for values of the whole motion, because each must be tracked.
 const WHOLE_SAMPLES: u32 = 2_000;
 
 pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), Failure> {
-    let dialect = args.csv.dialect(args.format)?;
+    let format = args.csv.rows(args.format, DIGITS)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
     let tolerances = tolerances(args, &scene)?;
@@ -70,11 +72,7 @@ pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), 
         solver: &solver,
         steps: &steps,
         samples: args.samples.map(|count| order(args, count)),
-        format: match args.format {
-            OutputFormat::Text => ToleranceFormat::Text,
-            OutputFormat::Csv => ToleranceFormat::Csv(dialect),
-            OutputFormat::Json => ToleranceFormat::Json,
-        },
+        format,
     };
     let path = args.output.output.as_deref();
     let mut progress = Progress::new(

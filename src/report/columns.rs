@@ -1,6 +1,7 @@
 //! The columns of a sweep: values, each followed by columns on its errors.
 
 use super::answers::per;
+use super::rows::{CellKind, JsonStyle, RowColumn, RowFormat, RowTable};
 use crate::quantity::Quantity;
 
 /// Extra columns for each value of a sweep.
@@ -99,12 +100,20 @@ impl Columns {
         self
     }
 
-    /// Returns the header of each column except the last, the state.
-    pub(super) fn headers(&self) -> impl Iterator<Item = String> {
-        let header = |q: &Quantity| match self.units {
-            true => q.header(),
-            false => q.name.clone(),
-        };
-        self.quantities.iter().map(header)
+    /// Returns the table of these columns and the state.
+    pub(super) fn table(&self, format: RowFormat) -> RowTable {
+        let columns = self.quantities.iter().zip(&self.sources);
+        let columns = columns.map(|(quantity, source)| {
+            let kind = match source {
+                CellSource::Figure if quantity.is_direction() => CellKind::Direction,
+                CellSource::Figure | CellSource::Sensitivity(_) | CellSource::Difference => {
+                    CellKind::Number
+                }
+                CellSource::Bound => CellKind::Bound,
+            };
+            RowColumn::of(quantity, kind, self.units)
+        });
+        let columns = columns.chain([RowColumn::state()]).collect();
+        RowTable::new(columns, format, JsonStyle::Spaced)
     }
 }

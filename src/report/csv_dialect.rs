@@ -1,7 +1,6 @@
 //! Dialects of comma separated values: decimal mark and separator.
 
 use super::number::shortest;
-use super::rows::plain;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
@@ -111,6 +110,26 @@ impl CsvDialect {
         }
     }
 
+    /// Appends a word to a line, with quotes if needed.
+    pub(super) fn push_word(self, word: &str, line: &mut String) {
+        match word.contains([self.separator(), '"', '\n', '\r']) {
+            true => *line += &format!("\"{}\"", word.replace('"', "\"\"")),
+            false => line.push_str(word),
+        }
+    }
+
+    /// Formats a row of cells.
+    pub(super) fn record(self, cells: impl IntoIterator<Item = impl AsRef<str>>) -> String {
+        let mut line = String::new();
+        for (number, cell) in cells.into_iter().enumerate() {
+            if number > 0 {
+                line.push(self.separator());
+            }
+            self.push_word(&self.cell(cell.as_ref()), &mut line);
+        }
+        line + "\n"
+    }
+
     /// Returns a cell with the dialect's decimal mark in a number; other text stays unchanged.
     fn cell(self, text: &str) -> Cow<'_, str> {
         let is_marked = self.decimal == DecimalMark::Comma && text.contains('.');
@@ -121,17 +140,24 @@ impl CsvDialect {
     }
 }
 
+/// Returns the shortest form of a value; empty for a missing one.
+pub(super) fn cell(value: Option<f64>) -> String {
+    let mut text = String::new();
+    if let Some(value) = value.filter(|value| value.is_finite()) {
+        shortest(value, &mut text);
+    }
+    text
+}
+
 /// Writes rows of cells.
 pub(super) struct CsvSheet<W: Write> {
-    csv: csv::Writer<W>,
+    to: W,
     dialect: CsvDialect,
 }
 
 impl<W: Write> CsvSheet<W> {
     pub(super) fn new(dialect: CsvDialect, to: W) -> Self {
-        let mut builder = csv::WriterBuilder::new();
-        let csv = builder.delimiter(dialect.separator() as u8).from_writer(to);
-        CsvSheet { csv, dialect }
+        CsvSheet { to, dialect }
     }
 
     /// Writes a row, with quotes where needed.
@@ -139,16 +165,12 @@ impl<W: Write> CsvSheet<W> {
         &mut self,
         cells: impl IntoIterator<Item = impl AsRef<str>>,
     ) -> io::Result<()> {
-        for cell in cells {
-            let cell = self.dialect.cell(cell.as_ref());
-            self.csv.write_field(cell.as_bytes()).map_err(plain)?;
-        }
-        self.csv.write_record(None::<&[u8]>).map_err(plain)
+        self.to.write_all(self.dialect.record(cells).as_bytes())
     }
 
     /// Flushes the output.
     pub(super) fn finish(mut self) -> io::Result<()> {
-        self.csv.flush()
+        self.to.flush()
     }
 }
 

@@ -1,6 +1,7 @@
 //! Summarizes many designs: their number, and the minimum and maximum of each value.
 
-use super::design_rows::{DesignColumn, DesignTable};
+use super::design_rows::DesignTable;
+use super::rows::RowColumn;
 use crate::study::{DesignRow, DesignState};
 use crate::wording::words;
 
@@ -57,7 +58,7 @@ impl DesignSummary {
     pub fn lines(&self, table: &DesignTable, digits: usize) -> Vec<String> {
         let (numbers, figures) = table.columns();
         let told = figures.iter().zip(&self.extremes);
-        let line = |(figure, found): (&DesignColumn, &Option<DesignExtremes>)| {
+        let line = |(figure, found): (&RowColumn, &Option<DesignExtremes>)| {
             let Some(found) = found else {
                 return words().has_no_value_in_designs(&figure.name);
             };

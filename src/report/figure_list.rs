@@ -2,11 +2,11 @@
 //! bound.
 
 use super::answers::Answers;
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
 use super::entry::{seen, seen_bound};
 use super::number::{direction, significant, upwards};
 use super::tables::Tables;
-use super::tables_data::{cell, number};
+use super::tables_data::number;
 use super::tables_page::{TableStyle, TablesWriter};
 use crate::Ball;
 use crate::page::{Page, Setting, Table, TextStyle};

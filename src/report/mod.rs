@@ -63,7 +63,7 @@ pub use columns::{Columns, ExtraColumns};
 pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
 pub use curves::curves_csv;
 pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
-pub use design_rows::{DesignColumn, DesignFormat, DesignTable};
+pub use design_rows::DesignTable;
 pub use design_summary::DesignSummary;
 pub use difference::Pairing;
 pub use entry::{Entry, PlaneVector};
@@ -79,15 +79,16 @@ pub use least::Least;
 pub use motor::{MotorReport, MotorRequest, RamReport};
 pub use paper::{Report, ReportFormat};
 pub use places::{limits_text, range_text};
+pub use rows::{RowColumn, RowFormat};
 pub use steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal};
-pub use sweep::{RowFormat, Sweep, SweepOutcome};
+pub use sweep::{Sweep, SweepOutcome};
 pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
 pub use tables_page::TableStyle;
 pub use text_encoding::TextEncoding;
 pub use timed_motor::TimedMotorReport;
 pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
 pub use tolerance_page::{ToleranceReport, ToleranceRow};
-pub use tolerance_rows::{ToleranceFormat, ToleranceOutcome, ToleranceRows};
+pub use tolerance_rows::{ToleranceOutcome, ToleranceRows};
 pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,

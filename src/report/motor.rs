@@ -1,9 +1,8 @@
 //! The motor over a cycle: the effort of the driver, the effect of a flywheel, and the motion of a
 //! ram.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
 use super::motor_csv::{step_cells, step_heads};
-use super::number::shortest;
 use crate::quantity::Catalogue;
 use crate::scene::{Motor, Scene};
 use crate::solver::{DeadCentre, Solver};
@@ -353,14 +352,6 @@ fn steps(turns: f64) -> u32 {
     )]
     let steps = all.clamp(1.0, f64::from(MAX_STEPS)) as u32;
     steps
-}
-
-pub(super) fn cell(value: Option<f64>) -> String {
-    let mut text = String::new();
-    if let Some(value) = value.filter(|v| v.is_finite()) {
-        shortest(value, &mut text);
-    }
-    text
 }
 
 /// Returns the end of a guide at which a ram works, as named in scenes.

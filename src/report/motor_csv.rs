@@ -1,7 +1,8 @@
 //! Columns for a step of a motor's cycle, common to sweeps over the driver's coordinate and over
 //! time.
 
-use super::motor::{PARTS, cell};
+use super::csv_dialect::cell;
+use super::motor::PARTS;
 use crate::quantity::state_word;
 use crate::study::motor::Step;
 

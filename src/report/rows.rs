@@ -1,191 +1,380 @@
-//! Formats rows of a sweep: CSV, JSON or aligned columns.
+//! Tables written row by row, as CSV, JSON or aligned text.
 //!
-//! Each format reuses one line buffer: rows of CSV and JSON do not allocate.
+//! Rows of numbers and fixed words do not allocate: a line buffer serves all rows.
 
-use super::columns::{CellSource, Columns};
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::CsvDialect;
 use super::number::{direction, shortest, significant, upwards};
+use crate::page::with_unit;
 use crate::quantity::{Quantity, state_word};
 use crate::solver::Condition;
+use serde_json::{Map, Value};
+use std::borrow::Cow;
 use std::fmt::Write as _;
 use std::io::{self, Write};
 
-/// A format of rows.
-pub(super) trait RowWriter {
-    /// Writes a row: a cell for every column, empty if the value does not exist, and the condition
-    /// of the state.
-    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()>;
-
-    /// Ends the output after all rows.
-    fn finish(self) -> io::Result<()>;
+/// The output format of rows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowFormat {
+    /// Comma separated values with a header.
+    Csv(CsvDialect),
+    /// One object: the scene, the units, and an object per row.
+    Json,
+    /// Aligned columns.
+    Text {
+        /// Significant digits.
+        digits: usize,
+    },
 }
 
-/// Unwraps the writer's own error: the conversion of the csv crate would hide a closed pipe.
-pub(super) fn plain(error: csv::Error) -> io::Error {
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => error,
-        other => io::Error::other(format!("{other:?}")),
+/// A column of a table.
+#[derive(Clone, Debug)]
+pub struct RowColumn {
+    /// The name, such as `r3.length` or `F.stroke`.
+    pub name: String,
+    /// The unit; empty for a plain number.
+    pub unit: String,
+    pub(super) kind: CellKind,
+    /// The name, with the unit if it is shown.
+    header: String,
+}
+
+/// The content of a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum CellKind {
+    /// Numbers.
+    Number,
+    /// Directions in degrees; 360 is shown as 0.
+    Direction,
+    /// Error bounds, shown as `+-2.1e-13`.
+    Bound,
+    /// Words.
+    Word,
+    /// Words at the end of a line, which are not aligned.
+    LastWord,
+    /// Remarks after the last word, without a header in text.
+    Remark,
+}
+
+/// A cell of a row.
+#[derive(Clone, Debug)]
+pub(super) enum RowCell<'c> {
+    /// A number; `None` if it does not exist.
+    Number(Option<f64>),
+    /// A word; empty if there is none.
+    Word(Cow<'c, str>),
+}
+
+impl<'c> RowCell<'c> {
+    pub(super) fn word(word: impl Into<Cow<'c, str>>) -> Self {
+        RowCell::Word(word.into())
     }
-}
 
-/// Writes comma separated values.
-pub(super) struct CsvRows<W: Write> {
-    to: W,
-    dialect: CsvDialect,
-    line: String,
-}
-
-impl<W: Write> CsvRows<W> {
-    pub(super) fn new(columns: &Columns, dialect: CsvDialect, mut to: W) -> io::Result<Self> {
-        let mut header = CsvSheet::new(dialect, &mut to);
-        header.record(columns.headers().chain(["state".into()]))?;
-        header.finish()?;
-        let line = String::new();
-        Ok(CsvRows { to, dialect, line })
-    }
-}
-
-impl<W: Write> RowWriter for CsvRows<W> {
-    /// Writes a row without quotes, which numbers and state words never need.
-    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
-        self.line.clear();
-        for cell in cells {
-            if let Some(value) = *cell {
-                self.dialect.push(value, &mut self.line);
-            }
-            self.line.push(self.dialect.separator());
+    /// Appends the cell as JSON.
+    fn push_json(&self, style: JsonStyle, line: &mut String) {
+        match self {
+            RowCell::Number(None) => line.push_str("null"),
+            RowCell::Word(word) if word.is_empty() => line.push_str("null"),
+            RowCell::Word(word) => *line += &Value::from(&**word).to_string(),
+            RowCell::Number(Some(value)) => match style {
+                JsonStyle::Spaced => shortest(*value, line),
+                JsonStyle::Compact => *line += &Value::from(value + 0.0).to_string(),
+            },
         }
-        self.line.push_str(state_word(condition));
-        self.line.push('\n');
-        self.to.write_all(self.line.as_bytes())
-    }
-
-    fn finish(mut self) -> io::Result<()> {
-        self.to.flush()
     }
 }
 
-/// Writes one object: the scene, the units, and an object per row.
-pub(super) struct JsonRows<W: Write> {
-    to: W,
-    /// The keys with separator, such as `"C.x": `.
-    keys: Vec<String>,
-    line: String,
-    /// The text before the next row.
-    before: &'static str,
-}
-
-impl<W: Write> JsonRows<W> {
-    pub(super) fn new(scene: &str, columns: &Columns, mut to: W) -> io::Result<Self> {
-        let scene = serde_json::to_string(scene)?;
-        write!(to, "{{\n\"scene\": {scene},\n")?;
-        if columns.units {
-            let units = columns.quantities.iter();
-            let units = units.map(|q| (q.name.clone(), q.unit.clone().into()));
-            let units = serde_json::Value::Object(units.collect());
-            writeln!(to, "\"units\": {units},")?;
+impl RowColumn {
+    /// Creates a column of numbers; `units` adds the unit to the header.
+    pub(super) fn new(name: impl Into<String>, unit: &str, units: bool) -> RowColumn {
+        let name = name.into();
+        RowColumn {
+            header: with_unit(&name, if units { unit } else { "" }),
+            name,
+            unit: unit.to_owned(),
+            kind: CellKind::Number,
         }
-        write!(to, "\"rows\": [")?;
-        let key = |q: &Quantity| Ok(format!("{}: ", serde_json::to_string(&q.name)?));
-        let keys = columns.quantities.iter().map(key);
-        Ok(JsonRows {
-            keys: keys.collect::<io::Result<_>>()?,
-            to,
-            line: String::new(),
-            before: "\n{",
-        })
     }
-}
 
-impl<W: Write> RowWriter for JsonRows<W> {
-    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
-        self.line.clear();
-        self.line.push_str(self.before);
-        self.before = ",\n{";
-        for (key, cell) in self.keys.iter().zip(cells) {
-            self.line.push_str(key);
-            match *cell {
-                Some(value) => shortest(value, &mut self.line),
-                None => self.line.push_str("null"),
-            }
-            self.line.push_str(", ");
+    /// Creates a column of words, or of another kind without a unit.
+    pub(super) fn of_kind(name: impl Into<String>, kind: CellKind) -> RowColumn {
+        RowColumn {
+            kind,
+            ..RowColumn::new(name, "", false)
         }
-        self.line.push_str("\"state\": \"");
-        self.line.push_str(state_word(condition));
-        self.line.push_str("\"}");
-        self.to.write_all(self.line.as_bytes())
     }
 
-    fn finish(mut self) -> io::Result<()> {
-        self.to.write_all(b"\n]\n}\n")?;
-        self.to.flush()
+    /// Creates a column of a quantity.
+    pub(super) fn of(quantity: &Quantity, kind: CellKind, units: bool) -> RowColumn {
+        let column = RowColumn::new(&quantity.name, &quantity.unit, units);
+        RowColumn {
+            header: match units {
+                true => quantity.header(),
+                false => column.header,
+            },
+            kind,
+            ..column
+        }
+    }
+
+    /// Creates the last column, the state.
+    pub(super) fn state() -> RowColumn {
+        RowColumn::of_kind("state", CellKind::LastWord)
+    }
+
+    /// Formats a value with its unit for people.
+    pub(super) fn text(&self, value: f64, digits: usize) -> String {
+        let number = significant(value, digits);
+        match self.unit.is_empty() {
+            true => number,
+            false => format!("{number} {}", self.unit),
+        }
+    }
+
+    fn is_number(&self) -> bool {
+        match self.kind {
+            CellKind::Number | CellKind::Direction | CellKind::Bound => true,
+            CellKind::Word | CellKind::LastWord | CellKind::Remark => false,
+        }
     }
 }
 
-/// Writes columns of a fixed width, because later rows are not known.
-pub(super) struct TextRows<'c, W: Write> {
-    to: W,
-    columns: &'c Columns,
+/// The punctuation of rows in JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum JsonStyle {
+    /// Blanks after colons and commas, the fewest digits, and units of all numbers.
+    Spaced,
+    /// No blanks, decimals in each number, and only units that are not empty.
+    Compact,
+}
+
+/// The columns of a table and their format.
+#[derive(Clone, Debug)]
+pub(super) struct RowTable {
+    pub(super) columns: Vec<RowColumn>,
+    format: RowFormat,
+    json: JsonStyle,
+    /// The widths of columns in text.
     widths: Vec<usize>,
-    digits: usize,
-    line: String,
+    /// The keys in JSON, with the colon.
+    keys: Vec<String>,
 }
 
 /// Characters of a number besides its digits: sign, point, and an exponent such as `e-300`.
 const BESIDE_DIGITS: usize = 7;
-
-impl<'c, W: Write> TextRows<'c, W> {
-    pub(super) fn new(columns: &'c Columns, digits: usize, mut to: W) -> io::Result<Self> {
-        let mut widths = Vec::with_capacity(columns.quantities.len());
-        for header in columns.headers() {
-            let width = header.chars().count().max(digits + BESIDE_DIGITS);
-            write!(to, "{header:>width$}  ")?;
-            widths.push(width);
-        }
-        writeln!(to, "state")?;
-        Ok(TextRows {
-            to,
-            columns,
-            widths,
-            digits,
-            line: String::new(),
-        })
-    }
-}
-
-impl<W: Write> RowWriter for TextRows<'_, W> {
-    fn row(&mut self, cells: &[Option<f64>], condition: Condition) -> io::Result<()> {
-        self.line.clear();
-        let columns = self.columns.quantities.iter().zip(&self.columns.sources);
-        for (((quantity, source), width), cell) in columns.zip(&self.widths).zip(cells) {
-            let shown = cell.map_or_else(
-                || "-".into(),
-                |v| match source {
-                    CellSource::Figure => in_text(quantity, v, self.digits),
-                    CellSource::Bound => format!("+-{}", upwards(v, BOUND_DIGITS)),
-                    CellSource::Sensitivity(_) | CellSource::Difference => {
-                        significant(v, self.digits)
-                    }
-                },
-            );
-            write!(self.line, "{shown:>width$}  ").map_err(io::Error::other)?;
-        }
-        writeln!(self.to, "{}{}", self.line, state_word(condition))
-    }
-
-    fn finish(mut self) -> io::Result<()> {
-        self.to.flush()
-    }
-}
-
 /// Significant digits of a bound.
 const BOUND_DIGITS: usize = 2;
 
-/// Formats a value in a text table; the driver's angle counts turns and is not a direction.
-fn in_text(quantity: &Quantity, value: f64, digits: usize) -> String {
-    if quantity.is_direction() {
-        direction(value, digits)
-    } else {
-        significant(value, digits)
+impl RowTable {
+    pub(super) fn new(columns: Vec<RowColumn>, format: RowFormat, json: JsonStyle) -> RowTable {
+        let digits = match format {
+            RowFormat::Text { digits } => digits,
+            RowFormat::Csv(_) | RowFormat::Json => 0,
+        };
+        let width = |c: &RowColumn| c.header.chars().count().max(digits + BESIDE_DIGITS);
+        let key = |c: &RowColumn| match json {
+            JsonStyle::Spaced => format!("{}: ", Value::from(&*c.name)),
+            JsonStyle::Compact => format!("{}:", Value::from(&*c.name)),
+        };
+        RowTable {
+            widths: columns.iter().map(width).collect(),
+            keys: columns.iter().map(key).collect(),
+            columns,
+            format,
+            json,
+        }
+    }
+
+    /// Creates a table as CSV.
+    pub(super) fn csv(columns: Vec<RowColumn>, dialect: CsvDialect) -> RowTable {
+        RowTable::new(columns, RowFormat::Csv(dialect), JsonStyle::Spaced)
+    }
+
+    /// Returns the text before the rows. JSON has the name of a scene, the units if `units`, and
+    /// the rows as a list of this name.
+    pub(super) fn head(&self, scene: &str, list: &str, units: bool) -> String {
+        let headers = self.columns.iter().map(|column| &*column.header);
+        match self.format {
+            RowFormat::Csv(dialect) => dialect.record(headers),
+            RowFormat::Json => {
+                let mut head = format!("{{\n\"scene\": {},\n", Value::from(scene));
+                if units {
+                    head += &format!("\"units\": {},\n", self.units());
+                }
+                head + &format!("\"{list}\": [")
+            }
+            RowFormat::Text { .. } => {
+                let mut line = String::new();
+                for ((column, header), width) in self.columns.iter().zip(headers).zip(&self.widths)
+                {
+                    push_aligned(&mut line, column.kind, header, *width);
+                }
+                ended(line)
+            }
+        }
+    }
+
+    fn units(&self) -> Value {
+        let is_shown = |column: &&RowColumn| {
+            column.is_number() && (self.json == JsonStyle::Spaced || !column.unit.is_empty())
+        };
+        let columns = self.columns.iter().filter(is_shown);
+        let units = columns.map(|c| (c.name.clone(), c.unit.clone().into()));
+        Value::Object(units.collect::<Map<_, _>>())
+    }
+
+    /// Appends a row; `is_first` for the first one.
+    pub(super) fn push<'c>(
+        &self,
+        cells: impl IntoIterator<Item = RowCell<'c>>,
+        is_first: bool,
+        line: &mut String,
+    ) {
+        match self.format {
+            RowFormat::Csv(dialect) => push_csv(cells, dialect, line),
+            RowFormat::Json => self.push_json(cells, is_first, line),
+            RowFormat::Text { digits } => self.push_text(cells, digits, line),
+        }
+    }
+
+    fn push_json<'c>(
+        &self,
+        cells: impl IntoIterator<Item = RowCell<'c>>,
+        is_first: bool,
+        line: &mut String,
+    ) {
+        line.push_str(if is_first { "\n{" } else { ",\n{" });
+        let comma = match self.json {
+            JsonStyle::Spaced => ", ",
+            JsonStyle::Compact => ",",
+        };
+        let mut before = "";
+        for (key, cell) in self.keys.iter().zip(cells) {
+            line.push_str(before);
+            line.push_str(key);
+            cell.push_json(self.json, line);
+            before = comma;
+        }
+        line.push('}');
+    }
+
+    fn push_text<'c>(
+        &self,
+        cells: impl IntoIterator<Item = RowCell<'c>>,
+        digits: usize,
+        line: &mut String,
+    ) {
+        let mut text = String::new();
+        for ((column, cell), width) in self.columns.iter().zip(cells).zip(&self.widths) {
+            let shown = match (cell, column.kind) {
+                (RowCell::Word(word), CellKind::Remark) => match &*word {
+                    "" => word,
+                    remark => format!(": {remark}").into(),
+                },
+                (RowCell::Word(word), _) if !word.is_empty() => word,
+                (RowCell::Word(_) | RowCell::Number(None), _) => "-".into(),
+                (RowCell::Number(Some(v)), CellKind::Direction) => direction(v, digits).into(),
+                (RowCell::Number(Some(v)), CellKind::Bound) => {
+                    format!("+-{}", upwards(v, BOUND_DIGITS)).into()
+                }
+                (RowCell::Number(Some(v)), _) => significant(v, digits).into(),
+            };
+            match column.kind {
+                CellKind::Remark => text.push_str(&shown),
+                kind => push_aligned(&mut text, kind, &shown, *width),
+            }
+        }
+        *line += &ended(text);
+    }
+
+    /// Returns the text after the rows.
+    pub(super) fn foot(&self) -> &'static str {
+        match self.format {
+            RowFormat::Json => "\n]\n}\n",
+            RowFormat::Csv(_) | RowFormat::Text { .. } => "",
+        }
+    }
+}
+
+fn push_csv<'c>(
+    cells: impl IntoIterator<Item = RowCell<'c>>,
+    dialect: CsvDialect,
+    line: &mut String,
+) {
+    for (number, cell) in cells.into_iter().enumerate() {
+        if number > 0 {
+            line.push(dialect.separator());
+        }
+        match cell {
+            RowCell::Number(None) => {}
+            RowCell::Number(Some(value)) => dialect.push(value, line),
+            RowCell::Word(word) => dialect.push_word(&word, line),
+        }
+    }
+    line.push('\n');
+}
+
+/// Appends a cell at the right of its column; the last word and remarks of a header are not aligned.
+fn push_aligned(line: &mut String, kind: CellKind, text: &str, width: usize) {
+    match kind {
+        CellKind::LastWord => line.push_str(text),
+        CellKind::Remark => {}
+        // Writing to a string cannot fail.
+        _ => {
+            let _ = write!(line, "{text:>width$}  ");
+        }
+    }
+}
+
+/// Ends a line, without blanks at its end.
+fn ended(mut line: String) -> String {
+    line.truncate(line.trim_end_matches(' ').len());
+    line + "\n"
+}
+
+/// Writes the rows of a table as they are computed.
+pub(super) struct RowWriter<W: Write> {
+    table: RowTable,
+    to: W,
+    line: String,
+    is_first: bool,
+}
+
+impl<W: Write> RowWriter<W> {
+    /// Writes the text before the rows.
+    pub(super) fn new(table: RowTable, head: &str, mut to: W) -> io::Result<Self> {
+        to.write_all(head.as_bytes())?;
+        Ok(RowWriter {
+            table,
+            to,
+            line: String::new(),
+            is_first: true,
+        })
+    }
+
+    /// Writes a row.
+    pub(super) fn row<'c>(
+        &mut self,
+        cells: impl IntoIterator<Item = RowCell<'c>>,
+    ) -> io::Result<()> {
+        self.line.clear();
+        self.table.push(cells, self.is_first, &mut self.line);
+        self.is_first = false;
+        self.to.write_all(self.line.as_bytes())
+    }
+
+    /// Writes a row of numbers with the condition of the state.
+    pub(super) fn state_row(
+        &mut self,
+        numbers: &[Option<f64>],
+        condition: Condition,
+    ) -> io::Result<()> {
+        let numbers = numbers.iter().copied().map(RowCell::Number);
+        self.row(numbers.chain([RowCell::word(state_word(condition))]))
+    }
+
+    /// Writes the text after the rows.
+    pub(super) fn finish(mut self) -> io::Result<()> {
+        self.to.write_all(self.table.foot().as_bytes())?;
+        self.to.flush()
     }
 }

@@ -3,29 +3,14 @@
 //! A few states and one line buffer serve all rows: memory does not depend on the number of rows.
 
 use super::columns::{Columns, ExtraColumns};
-use super::csv_dialect::CsvDialect;
 use super::errors::{ErrorCells, Missing};
-use super::rows::{CsvRows, JsonRows, RowWriter, TextRows};
+use super::rows::{RowFormat, RowWriter};
 use super::steps::Steps;
 use crate::quantity::{Clock, Hidden, Quantity, demand};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, Workspace};
 use crate::{LANES, Lanes};
 use std::io::{self, Write};
-
-/// The output format of rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RowFormat {
-    /// Comma separated values with a header.
-    Csv(CsvDialect),
-    /// One object: the scene, the units, and an object per row.
-    Json,
-    /// Aligned columns.
-    Text {
-        /// Significant digits.
-        digits: usize,
-    },
-}
 
 /// The outcome of a sweep.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -69,19 +54,9 @@ impl<'a> Sweep<'a> {
     /// # Errors
     /// Returns the errors of the writer.
     pub fn write(&self, to: impl Write, watch: &mut dyn FnMut(u64)) -> io::Result<SweepOutcome> {
-        let columns = self.columns;
-        match self.format {
-            RowFormat::Csv(dialect) => self.run(CsvRows::new(columns, dialect, to)?, watch),
-            RowFormat::Json => self.run(JsonRows::new(&self.scene.name, columns, to)?, watch),
-            RowFormat::Text { digits } => self.run(TextRows::new(columns, digits, to)?, watch),
-        }
-    }
-
-    fn run(
-        &self,
-        mut rows: impl RowWriter,
-        watch: &mut dyn FnMut(u64),
-    ) -> io::Result<SweepOutcome> {
+        let table = self.columns.table(self.format);
+        let head = table.head(&self.scene.name, "rows", self.columns.units);
+        let mut rows = RowWriter::new(table, &head, to)?;
         let mut reader = RowReader::new(self);
         let mut outcome = SweepOutcome::default();
         let mut steps = self.steps.iter();
@@ -157,13 +132,13 @@ impl<'a> RowReader<'a> {
 
     /// Passes on the rows at these coordinates, at most one per lane; returns the number of rows
     /// with values.
-    fn hand_over(&mut self, at: &[f64], rows: &mut impl RowWriter) -> io::Result<u64> {
+    fn hand_over(&mut self, at: &[f64], rows: &mut RowWriter<impl Write>) -> io::Result<u64> {
         if self.errors.is_none() && self.clock.is_none() && self.read_at_once(at) {
             for lane in 0..at.len() {
                 self.cells.clear();
                 let cells = self.columns.iter().map(|column| Some(column.0[lane]));
                 self.cells.extend(cells);
-                rows.row(&self.cells, Condition::Ok)?;
+                rows.state_row(&self.cells, Condition::Ok)?;
             }
             return Ok(at.len() as u64);
         }
@@ -185,7 +160,7 @@ impl<'a> RowReader<'a> {
                 *time = Some(row);
             }
             self.look_for_hidden();
-            rows.row(&self.cells, condition)?;
+            rows.state_row(&self.cells, condition)?;
             valued += u64::from(condition != Condition::NoAssembly);
         }
         Ok(valued)

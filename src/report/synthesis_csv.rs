@@ -1,7 +1,7 @@
 //! Writes candidates as CSV, with names and words independent of the language.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::number::shortest;
+use super::csv_dialect::CsvDialect;
+use super::rows::{RowCell, RowColumn, RowTable, RowWriter};
 use super::synthesis::{SynthesisReport, is_driven, wish};
 use crate::Vec2;
 use crate::synthesis::{Candidate, Partner, TaskDefect};
@@ -18,20 +18,18 @@ enum ColumnMeasure {
     Miss,
 }
 
-/// The content of a cell.
-enum CellValue {
-    Number(Option<f64>),
-    Word(String),
-}
-
-type CandidateColumn = (&'static str, ColumnMeasure, fn(&Candidate) -> CellValue);
+type CandidateColumn = (
+    &'static str,
+    ColumnMeasure,
+    fn(&Candidate) -> RowCell<'static>,
+);
 
 /// All columns after the number of the candidate.
 const COLUMNS: [CandidateColumn; 27] = {
-    use CellValue::{Number, Word};
     use ColumnMeasure::{Degrees, Length, Miss, Plain};
+    use RowCell::Number;
     [
-        ("family", Plain, |c| Word(family(c).to_owned())),
+        ("family", Plain, |c| RowCell::word(family(c))),
         ("A.x", Length, |c| Number(Some(c.proposal.pivot.x))),
         ("A.y", Length, |c| Number(Some(c.proposal.pivot.y))),
         ("D.x", Length, |c| Number(far_pivot(c).map(|d| d.x))),
@@ -63,9 +61,9 @@ const COLUMNS: [CandidateColumn; 27] = {
             Number(told(c, f64::from(u8::from(c.figures.full_turn))))
         }),
         ("wishes_missed", Plain, |c| {
-            Word(c.missed.iter().map(wish).collect::<Vec<_>>().join(" "))
+            RowCell::word(c.missed.iter().map(wish).collect::<Vec<_>>().join(" "))
         }),
-        ("state", Plain, |c| Word(first_defect(c).0.to_owned())),
+        ("state", Plain, |c| RowCell::word(first_defect(c).0)),
         ("from", Plain, |c| Number(counted(first_defect(c).1[0]))),
         ("to", Plain, |c| Number(counted(first_defect(c).1[1]))),
     ]
@@ -78,37 +76,33 @@ impl SynthesisReport<'_> {
     /// # Errors
     /// Returns the errors of the writer.
     pub fn write_csv(&self, dialect: CsvDialect, to: &mut dyn io::Write) -> io::Result<()> {
-        let head = |(name, measure, _): &CandidateColumn| {
+        let column = |(name, measure, _): &CandidateColumn| {
             let unit = match measure {
-                ColumnMeasure::Plain => return (*name).to_owned(),
+                ColumnMeasure::Plain => "",
                 ColumnMeasure::Degrees => "deg",
                 ColumnMeasure::Length => self.file.unit.symbol(),
                 ColumnMeasure::Miss => self.miss_unit(),
             };
-            format!("{name} [{unit}]")
+            RowColumn::new(*name, unit, true)
         };
-        let cells = |candidate: &Candidate| {
-            COLUMNS.map(|(_, _, value)| match value(candidate) {
-                CellValue::Word(word) => word,
-                CellValue::Number(number) => {
-                    let mut cell = String::new();
-                    if let Some(number) = number {
-                        shortest(number, &mut cell);
-                    }
-                    cell
-                }
-            })
-        };
-        let mut rows = CsvSheet::new(dialect, to);
-        let heads = std::iter::once("candidate".to_owned());
-        rows.record(heads.chain(COLUMNS.iter().map(head)))?;
-        for (number, candidate) in (1..).zip(self.told()) {
-            let number: usize = number;
-            rows.record(std::iter::once(number.to_string()).chain(cells(candidate)))?;
-        }
+        let number = RowColumn::new("candidate", "", true);
+        let columns = [number].into_iter().chain(COLUMNS.iter().map(column));
+        let table = RowTable::csv(columns.collect(), dialect);
+        let head = table.head("", "", true);
+        let mut rows = RowWriter::new(table, &head, to)?;
         // Defective candidates have no number.
-        for candidate in &self.found.defective {
-            rows.record(std::iter::once(String::new()).chain(cells(candidate)))?;
+        let good = self
+            .told()
+            .iter()
+            .zip((1..).map(|number| Some(f64::from(number))));
+        let defective = self
+            .found
+            .defective
+            .iter()
+            .map(|candidate| (candidate, None));
+        for (candidate, number) in good.chain(defective) {
+            let cells = COLUMNS.iter().map(|(_, _, cell)| cell(candidate));
+            rows.row([RowCell::Number(number)].into_iter().chain(cells))?;
         }
         rows.finish()
     }

@@ -1,10 +1,9 @@
 //! Writes the tables for other programs: CSV with a line per value, and JSON.
 
 use super::answers::Answers;
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
 use super::entry::Entry;
 use super::forces::Forces;
-use super::number::shortest;
 use super::tables::{ORDERS, PointRow, Tables, VectorColumn};
 use super::tables_page::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
@@ -237,13 +236,4 @@ impl<W: Write> TableCsv<'_, W> {
         let cells = [name, &value, unit, entry];
         self.record(cells, &bound, [&worst, length, &by])
     }
-}
-
-/// Returns the shortest form of a value; empty for a missing one.
-pub(super) fn cell(value: Option<f64>) -> String {
-    let mut text = String::new();
-    if let Some(value) = value {
-        shortest(value, &mut text);
-    }
-    text
 }

@@ -1,8 +1,8 @@
 //! Reports the motor over the period of a motion over time, as text and as data.
 
 use super::check::leaves_text;
-use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::motor::{NOTHING, PARTS, cell};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
+use super::motor::{NOTHING, PARTS};
 use super::motor_csv::{step_cells, step_heads};
 use super::number::{concise, significant};
 use crate::Input;

@@ -1,9 +1,10 @@
 //! Reports the effect of tolerances on values, at one coordinate of the driver or over the whole
 //! motion, as text and for other programs.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
 use super::number::{concise, significant};
-use super::tables_data::{cell, number};
+use super::rows::RowCell;
+use super::tables_data::number;
 use crate::page::{Content, Facts, Page, Setting, Table, TextStyle, with_unit};
 use crate::quantity::{Catalogue, Quantity, length_name, state_word};
 use crate::scene::Scene;
@@ -294,54 +295,30 @@ impl ToleranceRow {
         table
     }
 
+    /// Returns all results with their names and units, as cells of CSV.
     fn lines(&self) -> Vec<(String, String, &str)> {
-        let name = &self.name;
-        let unit: &str = &self.unit;
-        let mut lines: Vec<(String, String, &str)> = Vec::new();
-        let mut line = |part: String, value: String, unit| {
-            lines.push((format!("{name}.{part}"), value, unit));
-        };
-        let found = self.found.as_ref();
-        let worst = found.map(|found| found.worst);
-        line("nominal".into(), cell(found.map(|f| f.nominal)), unit);
-        line(
-            "worst.low".into(),
-            cell(worst.and_then(|w| bounded(w.low))),
-            unit,
-        );
-        line(
-            "worst.high".into(),
-            cell(worst.and_then(|w| bounded(w.high))),
-            unit,
-        );
-        let reached = worst.map(|worst| worst.reached);
-        line("reached.low".into(), cell(reached.map(|r| r[0])), unit);
-        line("reached.high".into(), cell(reached.map(|r| r[1])), unit);
-        let by = worst.map_or("", |worst| worst_word(worst.kind));
-        line("worst.by".into(), by.into(), "");
-        line(
-            "closes".into(),
-            worst.as_ref().map_or("", closes_word).into(),
-            "",
-        );
-        let square = found.and_then(|found| found.root_sum_square);
-        line("rss".into(), cell(square), unit);
-        if let Some(all) = &self.percentiles {
-            for (part, value) in [
-                ("p0.135", all.low),
-                ("p50", all.median),
-                ("p99.865", all.high),
-                ("mean", all.mean),
-                ("deviation", all.deviation),
-            ] {
-                line(part.into(), cell(Some(value)), unit);
-            }
-        }
-        for (from, contribution) in &self.contributions {
-            line(format!("by.{from}"), cell(Some(contribution.size)), unit);
-            line(format!("share.{from}"), cell(Some(contribution.share)), "");
-        }
+        let results = results(self.found.as_ref()).into_iter();
+        let results = results.map(|(part, cell)| (part.to_owned(), cell));
+        let samples = self.percentiles.iter().flat_map(percentiles);
+        let samples = samples.map(|(part, value)| (part.to_owned(), RowCell::Number(Some(value))));
+        let lines = results.chain(samples).map(|(part, result)| match result {
+            RowCell::Number(value) => (part, cell(value), &*self.unit),
+            RowCell::Word(word) => (part, word.into_owned(), ""),
+        });
+        let from = self.contributions.iter().flat_map(|(from, contribution)| {
+            [
+                (
+                    format!("by.{from}"),
+                    cell(Some(contribution.size)),
+                    &*self.unit,
+                ),
+                (format!("share.{from}"), cell(Some(contribution.share)), ""),
+            ]
+        });
+        let lines = lines.chain(from);
         lines
+            .map(|(part, value, unit)| (format!("{}.{part}", self.name), value, unit))
+            .collect()
     }
 
     fn to_json(&self) -> Value {
@@ -360,14 +337,10 @@ impl ToleranceRow {
         object.insert("worst".into(), worst.unwrap_or_default());
         let square = found.and_then(|found| found.root_sum_square);
         object.insert("rss".into(), number(square));
-        let samples = self.percentiles.map(|all| {
-            json!({
-                "p0.135": number(Some(all.low)),
-                "p50": number(Some(all.median)),
-                "p99.865": number(Some(all.high)),
-                "mean": number(Some(all.mean)),
-                "deviation": number(Some(all.deviation)),
-            })
+        let samples = self.percentiles.as_ref().map(|all| {
+            let values = percentiles(all).into_iter();
+            let values = values.map(|(name, value)| (name.to_owned(), number(Some(value))));
+            Value::Object(values.collect())
         });
         object.insert("samples".into(), samples.unwrap_or_default());
         let from = self.contributions.iter().map(|(name, from)| {
@@ -382,6 +355,40 @@ impl ToleranceRow {
         object.insert("contributions".into(), from.collect());
         Value::Object(object)
     }
+}
+
+/// Returns the effect of tolerances on a value, as named in columns.
+pub(super) fn results(found: Option<&ToleranceFigure>) -> [(&'static str, RowCell<'static>); 8] {
+    use RowCell::Number;
+    let worst = found.map(|found| found.worst);
+    let reached = worst.map(|worst| worst.reached);
+    [
+        ("nominal", Number(found.map(|found| found.nominal))),
+        ("worst.low", Number(worst.and_then(|w| bounded(w.low)))),
+        ("worst.high", Number(worst.and_then(|w| bounded(w.high)))),
+        ("reached.low", Number(reached.map(|ends| ends[0]))),
+        ("reached.high", Number(reached.map(|ends| ends[1]))),
+        (
+            "worst.by",
+            RowCell::word(worst.map_or("", |w| worst_word(w.kind))),
+        ),
+        (
+            "closes",
+            RowCell::word(worst.as_ref().map_or("", closes_word)),
+        ),
+        ("rss", Number(found.and_then(|found| found.root_sum_square))),
+    ]
+}
+
+/// Returns the distribution of a value among the samples, as named in CSV and JSON.
+fn percentiles(all: &Percentiles) -> [(&'static str, f64); 5] {
+    [
+        ("p0.135", all.low),
+        ("p50", all.median),
+        ("p99.865", all.high),
+        ("mean", all.mean),
+        ("deviation", all.deviation),
+    ]
 }
 
 /// Returns the name of a contributor: `r3.length`, or `r3.B.clearance` for a pin.
@@ -466,7 +473,7 @@ fn spread_text(all: &Percentiles) -> Vec<String> {
 }
 
 /// Returns a limit of a worst case, if it is finite.
-pub(super) fn bounded(end: f64) -> Option<f64> {
+fn bounded(end: f64) -> Option<f64> {
     Some(end).filter(|end| end.is_finite())
 }
 
@@ -484,7 +491,7 @@ fn percent(part: f64) -> String {
 }
 
 /// Returns the word for the method of a worst case in files for other programs.
-pub(super) fn worst_word(kind: WorstKind) -> &'static str {
+fn worst_word(kind: WorstKind) -> &'static str {
     match kind {
         WorstKind::Corners => "corners",
         WorstKind::Enclosed => "enclosed",
@@ -498,7 +505,7 @@ pub(super) fn worst_word(kind: WorstKind) -> &'static str {
 
 /// Returns the word, in files for other programs, for whether all mechanisms within the tolerances
 /// close.
-pub(super) fn closes_word(worst: &WorstCase) -> &'static str {
+fn closes_word(worst: &WorstCase) -> &'static str {
     match worst.fails {
         true => "not-always",
         false if worst.kind.is_estimate() => "unproved",

@@ -1,16 +1,12 @@
 //! Writes the effect of tolerances on values over the motion, row by row.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::number::significant;
+use super::rows::{CellKind, JsonStyle, RowCell, RowColumn, RowFormat, RowTable, RowWriter};
 use super::steps::Steps;
-use super::tables_data::{cell, number};
-use super::tolerance_page::{bounded, closes_word, worst_word};
-use crate::page::with_unit;
+use super::tolerance_page::results;
 use crate::quantity::{Catalogue, Quantity, state_word};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 use crate::study::{SampleOrder, ToleranceStudy};
-use serde_json::{Map, Value};
 use std::io::{self, Write};
 
 /// The input of a study over the motion, and its output format.
@@ -25,18 +21,7 @@ pub struct ToleranceRows<'a> {
     /// The samples of each row, if requested.
     pub samples: Option<SampleOrder>,
     /// The output format.
-    pub format: ToleranceFormat,
-}
-
-/// The output format of rows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ToleranceFormat {
-    /// Aligned columns.
-    Text,
-    /// Comma separated values with a header.
-    Csv(CsvDialect),
-    /// One object: the scene, the units, and an object per row.
-    Json,
+    pub format: RowFormat,
 }
 
 /// The outcome of a study over the motion.
@@ -52,16 +37,6 @@ pub struct ToleranceOutcome {
     pub fails: u64,
 }
 
-/// A cell with a number or a word.
-enum ToleranceCell {
-    Number(Option<f64>),
-    Word(&'static str),
-}
-
-/// Significant digits of text, and the other characters of a number.
-const DIGITS: usize = 6;
-const BESIDE_DIGITS: usize = 7;
-
 impl ToleranceRows<'_> {
     /// Solves and writes all rows; calls `watch` with their number.
     ///
@@ -74,91 +49,37 @@ impl ToleranceRows<'_> {
         watch: &mut dyn FnMut(u64),
     ) -> io::Result<ToleranceOutcome> {
         let columns = self.columns(study.figures());
+        let table = RowTable::new(columns, self.format, JsonStyle::Compact);
+        let head = table.head(&self.scene.name, "rows", true);
+        let mut rows = RowWriter::new(table, &head, to)?;
         let mut outcome = ToleranceOutcome::default();
         let mut state = self.solver.state();
-        let mut rows = self.steps.iter().map(|at| {
+        for at in self.steps.iter() {
             let condition = self.solver.solve(at, Order::Position, &mut state);
-            let row = self.row(study, at, condition, &mut outcome);
+            rows.row(self.row(study, at, condition, &mut outcome))?;
             watch(outcome.rows);
-            row
-        });
-        match self.format {
-            ToleranceFormat::Csv(dialect) => {
-                let mut csv = CsvSheet::new(dialect, to);
-                csv.record(columns.iter().map(header))?;
-                for row in rows {
-                    csv.record(row.iter().map(ToleranceCell::written))?;
-                }
-                csv.finish()?;
-            }
-            ToleranceFormat::Json => self.write_json(&columns, &mut rows, to)?,
-            ToleranceFormat::Text => {
-                let headers: Vec<String> = columns.iter().map(header).collect();
-                let wide = |header: &String| header.len().max(DIGITS + BESIDE_DIGITS);
-                let widths: Vec<usize> = headers.iter().map(wide).collect();
-                write_line(to, headers.iter().map(String::as_str), &widths)?;
-                for row in rows {
-                    let cells: Vec<String> = row.iter().map(ToleranceCell::shown).collect();
-                    write_line(to, cells.iter().map(String::as_str), &widths)?;
-                }
-            }
         }
+        rows.finish()?;
         Ok(outcome)
     }
 
-    fn write_json(
-        &self,
-        columns: &[(String, String)],
-        rows: &mut dyn Iterator<Item = Vec<ToleranceCell>>,
-        to: &mut dyn Write,
-    ) -> io::Result<()> {
-        let scene = Value::from(self.scene.name.as_str());
-        let units = columns.iter().filter(|(_, unit)| !unit.is_empty());
-        let units = units.map(|(name, unit)| (name.clone(), unit.as_str().into()));
-        let units = Value::Object(units.collect());
-        write!(to, "{{\n\"scene\": {scene},\n")?;
-        writeln!(to, "\"units\": {units},")?;
-        write!(to, "\"rows\": [")?;
-        let mut before = "\n";
-        for row in rows {
-            let cells = columns.iter().zip(&row);
-            let cells = cells.map(|((name, _), cell)| (name.clone(), cell.json()));
-            let row = Value::Object(cells.collect::<Map<_, _>>());
-            write!(to, "{before}{row}")?;
-            before = ",\n";
-        }
-        to.write_all(b"\n]\n}\n")
-    }
-
-    /// Returns the names of the columns, and their units.
-    fn columns(&self, figures: &[Quantity]) -> Vec<(String, String)> {
+    fn columns(&self, figures: &[Quantity]) -> Vec<RowColumn> {
         let driver = Catalogue::new(self.scene).driver().clone();
-        let mut columns = vec![(driver.name, driver.unit)];
+        let mut columns = vec![RowColumn::new(driver.name, &driver.unit, true)];
         for figure in figures {
-            let mut add = |part: &str, unit: &str| {
-                columns.push((format!("{}.{part}", figure.name), unit.to_owned()));
-            };
-            for part in [
-                "nominal",
-                "worst.low",
-                "worst.high",
-                "reached.low",
-                "reached.high",
-            ] {
-                add(part, &figure.unit);
-            }
-            add("worst.by", "");
-            add("closes", "");
-            add("rss", &figure.unit);
+            let name = |part| format!("{}.{part}", figure.name);
+            let number = |part| RowColumn::new(name(part), &figure.unit, true);
+            columns.extend(results(None).map(|(part, cell)| match cell {
+                RowCell::Number(_) => number(part),
+                RowCell::Word(_) => RowColumn::of_kind(name(part), CellKind::Word),
+            }));
             if self.samples.is_some() {
-                add("p0.135", &figure.unit);
-                add("p99.865", &figure.unit);
+                columns.extend(["p0.135", "p99.865"].map(number));
             }
         }
-        if self.samples.is_some() {
-            columns.push(("samples.open".into(), String::new()));
-        }
-        columns.push(("state".into(), String::new()));
+        let open = RowColumn::new("samples.open", "", true);
+        columns.extend(self.samples.map(|_| open));
+        columns.push(RowColumn::of_kind("state", CellKind::Word));
         columns
     }
 
@@ -168,8 +89,8 @@ impl ToleranceRows<'_> {
         at: f64,
         condition: Condition,
         outcome: &mut ToleranceOutcome,
-    ) -> Vec<ToleranceCell> {
-        use ToleranceCell::{Number, Word};
+    ) -> Vec<RowCell<'static>> {
+        use RowCell::Number;
         let mut found = study.at(at);
         let samples = self.samples.map(|order| study.sampled(at, order));
         if let (Some(order), Some(samples)) = (self.samples, &samples) {
@@ -187,66 +108,14 @@ impl ToleranceRows<'_> {
         outcome.fails += u64::from(worsts().any(|worst| worst.fails));
         let mut row = vec![Number(Some(at))];
         for (i, found) in found.iter().enumerate() {
-            let found = found.as_ref();
-            let worst = found.map(|found| found.worst);
-            row.extend([
-                Number(found.map(|found| found.nominal)),
-                Number(worst.and_then(|worst| bounded(worst.low))),
-                Number(worst.and_then(|worst| bounded(worst.high))),
-                Number(worst.map(|worst| worst.reached[0])),
-                Number(worst.map(|worst| worst.reached[1])),
-                Word(worst.map_or("", |worst| worst_word(worst.kind))),
-                Word(worst.as_ref().map_or("", closes_word)),
-                Number(found.and_then(|found| found.root_sum_square)),
-            ]);
+            row.extend(results(found.as_ref()).map(|(_, cell)| cell));
             if let Some(samples) = &samples {
                 let of = samples.figures.get(i).copied().flatten();
                 row.extend([Number(of.map(|of| of.low)), Number(of.map(|of| of.high))]);
             }
         }
         row.extend(samples.map(|samples| Number(Some(samples.open))));
-        row.push(Word(state_word(condition)));
+        row.push(RowCell::word(state_word(condition)));
         row
     }
-}
-
-impl ToleranceCell {
-    fn written(&self) -> String {
-        match self {
-            ToleranceCell::Number(value) => cell(*value),
-            ToleranceCell::Word(word) => (*word).to_owned(),
-        }
-    }
-
-    fn shown(&self) -> String {
-        match self {
-            ToleranceCell::Number(Some(value)) => significant(*value, DIGITS),
-            ToleranceCell::Number(None) | ToleranceCell::Word("") => "-".into(),
-            ToleranceCell::Word(word) => (*word).to_owned(),
-        }
-    }
-
-    fn json(&self) -> Value {
-        match self {
-            ToleranceCell::Number(value) => number(*value),
-            ToleranceCell::Word("") => Value::Null,
-            ToleranceCell::Word(word) => (*word).into(),
-        }
-    }
-}
-
-fn header((name, unit): &(String, String)) -> String {
-    with_unit(name, unit)
-}
-
-fn write_line<'c>(
-    to: &mut dyn Write,
-    cells: impl Iterator<Item = &'c str>,
-    widths: &[usize],
-) -> io::Result<()> {
-    let cells = cells
-        .zip(widths)
-        .map(|(cell, &width)| format!("{cell:>width$}"));
-    let line = cells.collect::<Vec<_>>().join("  ");
-    writeln!(to, "{}", line.trim_end())
 }

@@ -2,7 +2,7 @@
 
 use super::OutputFormat;
 use crate::cli::failure::Failure;
-use crate::report::{CellSeparator, CsvDialect, DecimalMark};
+use crate::report::{CellSeparator, CsvDialect, DecimalMark, RowFormat};
 use crate::wording::words;
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
@@ -36,6 +36,22 @@ impl CsvArgs {
             _ => CsvDialect::of(self.decimal.unwrap_or_default(), self.separator)
                 .ok_or_else(|| Failure::Usage(words().comma_for_both().into())),
         }
+    }
+}
+
+impl CsvArgs {
+    /// Returns the format of rows, with so many digits in text.
+    pub(in crate::cli) fn rows(
+        self,
+        format: OutputFormat,
+        digits: usize,
+    ) -> Result<RowFormat, Failure> {
+        let dialect = self.dialect(format)?;
+        Ok(match format {
+            OutputFormat::Csv => RowFormat::Csv(dialect),
+            OutputFormat::Json => RowFormat::Json,
+            OutputFormat::Text => RowFormat::Text { digits },
+        })
     }
 }
 

@@ -173,6 +173,7 @@ fn figure(value: f64) -> String {
 mod tests {
     use super::*;
     use crate::report::Check;
+    use crate::solver::Solver;
 
     /// The rod's limit of [100, 380] is reached at cos(theta) = (r2^2 + s^2 - r3^2) / (2 r2 s),
     /// 32.0734 deg.
