@@ -348,7 +348,8 @@ pub(crate) fn brief_cycle(
     (lines, report.page())
 }
 
-fn indented(label: &str) -> String {
+/// Indents a label below a heading.
+pub(super) fn indented(label: &str) -> String {
     format!("  {label}")
 }
 

@@ -1,7 +1,7 @@
 //! Collects the behaviour of values over the whole motion, and the quality of transmission.
 
 use super::check::group_name;
-use super::csv_dialect::{CsvDialect, CsvSheet};
+use super::csv_dialect::{CsvDialect, CsvSheet, cell};
 use super::entry::{NOISE, seen};
 use super::number::concise;
 use super::places::{place_text, range_text};
@@ -273,15 +273,7 @@ impl CycleReport {
         let mut csv = CsvSheet::new(dialect, out);
         let header = ["figure", "property", "value", "unit", "at", "reason"];
         let bounds = self.with_bounds;
-        let header = header.into_iter().chain(bounds.then_some("bound"));
-        csv.record(header.map(str::to_owned).collect::<Vec<_>>())?;
-        let number = |value: Option<f64>| {
-            let mut text = String::new();
-            if let Some(value) = value.filter(|v| v.is_finite()) {
-                dialect.push(value, &mut text);
-            }
-            text
-        };
+        csv.record(header.into_iter().chain(bounds.then_some("bound")))?;
         for figure in &self.figures {
             let mut all = self.properties(figure);
             all.extend(turning_rows(figure));
@@ -291,15 +283,13 @@ impl CycleReport {
                 let cells = [
                     figure.quantity.name.clone(),
                     property.name,
-                    number(property.value.ok()),
+                    cell(property.value.ok()),
                     property.unit,
-                    number(property.at),
+                    cell(property.at),
                     reason.unwrap_or_default(),
                 ];
-                let cells = cells
-                    .into_iter()
-                    .chain(bounds.then(|| number(property.bound)));
-                csv.record(cells.collect::<Vec<_>>())?;
+                let bound = bounds.then(|| cell(property.bound));
+                csv.record(cells.into_iter().chain(bound))?;
             }
         }
         let angles = self.transmission.iter();
@@ -308,11 +298,10 @@ impl CycleReport {
         let groups = self.condition.iter();
         let groups = groups.map(|worst| ("condition", "", &worst.group, worst.least, worst.at));
         for (name, unit, group, least, at) in angles.chain(groups) {
-            let [least, at] = [least, at].map(|value| number(Some(value)));
+            let [least, at] = [least, at].map(|value| cell(Some(value)));
             let cells = [name.to_owned(), group.clone(), least, unit.to_owned(), at];
             let cells = cells.into_iter().chain([String::new()]);
-            let cells = cells.chain(bounds.then(String::new));
-            csv.record(cells.collect::<Vec<_>>())?;
+            csv.record(cells.chain(bounds.then(String::new)))?;
         }
         csv.finish()
     }

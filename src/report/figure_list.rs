@@ -1,13 +1,11 @@
 //! Lists values requested by name at one coordinate of the driver: name, value, unit and error
 //! bound.
 
-use super::answers::Answers;
-use super::csv_dialect::{CsvDialect, CsvSheet, cell};
-use super::entry::{seen, seen_bound};
-use super::number::{direction, significant, upwards};
-use super::tables::Tables;
-use super::tables_data::number;
-use super::tables_page::{TableStyle, TablesWriter};
+use super::csv_dialect::CsvDialect;
+use super::entry::Entry;
+use super::tables::{Tables, unproved};
+use super::tables_data::{ValueSheet, insert};
+use super::tables_page::{TableStyle, TablesWriter, shown, shown_bound};
 use crate::Ball;
 use crate::page::{Page, Setting, Table, TextStyle};
 use crate::quantity::{Quantity, state_word};
@@ -21,10 +19,8 @@ use std::io::{self, Write};
 pub struct ListedFigure {
     /// The quantity.
     pub quantity: Quantity,
-    /// Its value; `None` if it does not exist.
-    pub value: Option<f64>,
-    /// Its error bound, in its own unit; `None` if nothing was proved.
-    pub bound: Option<f64>,
+    /// Its value with the error bound.
+    pub entry: Entry,
 }
 
 /// The requested values of one state, in the requested order.
@@ -36,8 +32,6 @@ pub struct FigureList<'a> {
     pub figures: Vec<ListedFigure>,
 }
 
-/// Significant digits of a bound.
-const BOUND_DIGITS: usize = 2;
 /// Characters besides the digits of a value: sign, point, and an exponent.
 const BESIDE_DIGITS: usize = 6;
 
@@ -52,11 +46,13 @@ impl<'a> FigureList<'a> {
     ) -> Self {
         let listed = figures.iter().map(|quantity| {
             let value = quantity.value(state);
-            let bound = value.and_then(|_| quantity.bound(state, enclosure));
             ListedFigure {
                 quantity: quantity.clone(),
-                value,
-                bound,
+                entry: Entry {
+                    value,
+                    given: false,
+                    bound: value.and_then(|_| quantity.bound(state, enclosure)),
+                },
             }
         });
         FigureList {
@@ -73,10 +69,7 @@ impl<'a> FigureList<'a> {
     /// Returns the number of existing values, and the number of these without a bound.
     #[must_use]
     pub fn unproved(&self) -> (u64, u64) {
-        let valued = self.figures.iter().filter(|figure| figure.value.is_some());
-        valued.fold((0, 0), |(all, open), figure| {
-            (all + 1, open + u64::from(figure.bound.is_none()))
-        })
+        unproved(self.figures.iter().map(|figure| figure.entry))
     }
 
     /// Formats the values as text, one per line.
@@ -102,8 +95,8 @@ impl<'a> FigureList<'a> {
             ..Setting::default()
         });
         for figure in &self.figures {
-            let value = figure.shown(style.digits);
-            let bound = style.bounds.then(|| figure.shown_bound());
+            let value = shown(figure.entry, figure.quantity.is_direction(), style.digits);
+            let bound = style.bounds.then(|| shown_bound(figure.entry));
             let name = match style.units {
                 true => figure.quantity.header(),
                 false => figure.quantity.name.clone(),
@@ -125,32 +118,12 @@ impl<'a> FigureList<'a> {
         dialect: CsvDialect,
         to: impl Write,
     ) -> io::Result<()> {
-        let mut csv = CsvSheet::new(dialect, to);
         let answers = self.tables.answers.as_ref();
-        let mut line = |[name, value, unit]: [&str; 3], bound: &str, answer: [&str; 3]| {
-            let unit = style.units.then_some(unit);
-            let bound = style.bounds.then_some(bound);
-            let answer = answers.map(|_| answer).into_iter().flatten();
-            let cells = [name, value].into_iter().chain(unit).chain(bound);
-            csv.record(cells.chain(answer))
-        };
-        line(
-            ["name", "value", "unit"],
-            "bound",
-            ["sensitivity", "most", "by"],
-        )?;
-        for figure in &self.figures {
-            let quantity = &figure.quantity;
-            let [worst, most, by] = answer_cells(answers, &quantity.name);
-            let cells = [&*quantity.name, &cell(figure.value), &*quantity.unit];
-            line(cells, &cell(figure.bound), [&worst, &most, &by])?;
+        let mut lines = ValueSheet::new(style, dialect, answers, false, to)?;
+        for ListedFigure { quantity, entry } in &self.figures {
+            lines.value(&quantity.name, &quantity.unit, *entry)?;
         }
-        line(
-            ["state", state_word(self.tables.condition), ""],
-            "",
-            [""; 3],
-        )?;
-        csv.finish()
+        lines.finish(self.tables.condition)
     }
 
     /// Returns one object: the scene, the units, the driver's coordinate, the state, and the values
@@ -170,11 +143,12 @@ impl<'a> FigureList<'a> {
         object.insert("state".into(), state.into());
         let mut figures = Map::new();
         for figure in &self.figures {
-            let name = &figure.quantity.name;
-            figures.insert(name.clone(), number(figure.value));
-            if style.bounds {
-                figures.insert(format!("{name}.bound"), number(figure.bound));
-            }
+            insert(
+                &mut figures,
+                &figure.quantity.name,
+                &figure.entry,
+                style.bounds,
+            );
         }
         object.insert("figures".into(), figures.into());
         if let Some(answers) = &self.tables.answers {
@@ -182,38 +156,4 @@ impl<'a> FigureList<'a> {
         }
         Value::Object(object)
     }
-}
-
-impl ListedFigure {
-    /// Formats the value for display: zero if it is small and within its error bound.
-    fn shown(&self, digits: usize) -> String {
-        let Some(value) = self.value else {
-            return "-".into();
-        };
-        let value = seen(value, self.bound);
-        match self.quantity.is_direction() {
-            true => direction(value, digits),
-            false => significant(value, digits),
-        }
-    }
-
-    fn shown_bound(&self) -> String {
-        match (
-            self.value,
-            self.value.and_then(|v| seen_bound(v, self.bound)),
-        ) {
-            (None, _) => String::new(),
-            (Some(_), None) => "?".into(),
-            (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
-        }
-    }
-}
-
-/// Formats the sensitivity of a value as cells.
-fn answer_cells(answers: Option<&Answers>, name: &str) -> [String; 3] {
-    let answer = answers.and_then(|answers| answers.of(name));
-    let most = answer.and_then(|answer| answer.most.as_ref());
-    let length = most.map_or_else(String::new, |(length, _)| length.clone());
-    let worst = cell(answer.map(|answer| answer.worst));
-    [worst, length, cell(most.map(|(_, by)| *by))]
 }

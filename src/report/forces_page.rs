@@ -3,8 +3,8 @@
 use super::entry::{Entry, PlaneVector};
 use super::forces::{Existence, Forces, GuideRow, JointRow, effort_word};
 use super::number::significant;
-use super::tables_data::number;
-use super::tables_page::{BOUND, TablesWriter, VECTOR_LABELS, point_labels, set};
+use super::tables_data::{insert, number};
+use super::tables_page::{BOUND, TablesWriter, VECTOR_LABELS, point_labels, set, shown_bound};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Aspect;
 use crate::wording::words;
@@ -106,7 +106,7 @@ impl TablesWriter<'_> {
             let texts = cells.map(|cell| cell.map(|entry| self.figure(entry, Aspect::Normal)));
             table.row(name, texts.map(Option::unwrap_or_default));
             if self.style.bounds {
-                let bounds = cells.map(|cell| cell.map(|entry| self.bound(entry)));
+                let bounds = cells.map(|cell| cell.map(|entry| shown_bound(entry)));
                 table.row(BOUND, bounds.map(Option::unwrap_or_default));
             }
         }
@@ -166,7 +166,7 @@ impl TablesWriter<'_> {
         let cells = entries.iter().map(|&e| self.figure(e, aspect) + behind);
         table.row(label, cells);
         if self.style.bounds {
-            let bounds = entries.iter().map(|&entry| self.bound(entry) + behind);
+            let bounds = entries.iter().map(|&entry| shown_bound(entry) + behind);
             table.row(BOUND, bounds);
         }
     }
@@ -189,7 +189,7 @@ impl TablesWriter<'_> {
             .map(|&(entry, aspect)| self.figure(entry, aspect));
         table.row(label, cells);
         if self.style.bounds {
-            let bounds = all.iter().map(|&(entry, _)| self.bound(entry));
+            let bounds = all.iter().map(|&(entry, _)| shown_bound(entry));
             table.row(BOUND, bounds);
         }
     }
@@ -200,10 +200,7 @@ impl Forces {
     pub(super) fn to_json(&self, bounds: bool) -> Value {
         let mut object = Map::new();
         for (name, _, entry) in self.figures() {
-            object.insert(name.clone(), number(entry.value));
-            if bounds {
-                object.insert(format!("{name}.bound"), number(entry.proved()));
-            }
+            insert(&mut object, &name, &entry, bounds);
         }
         if let Some(why) = &self.withheld {
             object.insert("withheld".into(), why.clone().into());

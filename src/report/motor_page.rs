@@ -3,14 +3,15 @@
 mod ram;
 mod telling;
 
+use super::cycle_page::indented;
 use super::motor::{MotorReport, NOTHING};
 use super::number::{concise, significant};
 use crate::page::{Page, Row, Table, TextStyle};
 use crate::study::motor::{Cycle, DriveEffort, Duty, DutyError, MotorDemand, Peak};
 use crate::wording::words;
 use telling::{
-    cleaned, columns_of, facts, figure, indented, indented_facts, is_constant, known, none, rough,
-    rule_text, trimmed, verdict,
+    cleaned, columns_of, facts, figure, indented_facts, is_constant, known, none, rough, rule_text,
+    trimmed, verdict,
 };
 
 /// Significant digits of a value, and decimals of its place in degrees.

@@ -108,11 +108,7 @@ impl Tables {
         });
         let forces = self.forces.iter().flat_map(Forces::figures);
         let forces = forces.map(|(_, _, entry)| entry);
-        let all = vectors.chain(planes).chain(forces);
-        let exist = all.filter(|entry| entry.value.is_some());
-        exist.fold((0, 0), |(all, unproved), entry| {
-            (all + 1, unproved + u64::from(entry.bound.is_none()))
-        })
+        unproved(vectors.chain(planes).chain(forces))
     }
 
     fn of(scene: &Scene, state: &State, enclosure: Option<&State<Ball>>) -> Self {
@@ -144,6 +140,14 @@ impl Tables {
             forces: None,
         }
     }
+}
+
+/// Returns the number of existing values, and the number of these without a bound.
+pub(super) fn unproved(entries: impl Iterator<Item = Entry>) -> (u64, u64) {
+    let exist = entries.filter(|entry| entry.value.is_some());
+    exist.fold((0, 0), |(all, unproved), entry| {
+        (all + 1, unproved + u64::from(entry.bound.is_none()))
+    })
 }
 
 /// A state with its enclosure.

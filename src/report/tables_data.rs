@@ -7,7 +7,7 @@ use super::forces::Forces;
 use super::tables::{ORDERS, PointRow, Tables, VectorColumn};
 use super::tables_page::{TableStyle, index};
 use crate::quantity::{Aspect, state_word};
-use crate::solver::Order;
+use crate::solver::{Condition, Order};
 use serde_json::{Map, Value, json};
 use std::io::{self, Write};
 
@@ -64,20 +64,15 @@ impl Tables {
         dialect: CsvDialect,
         to: impl Write,
     ) -> io::Result<()> {
-        let mut lines = TableCsv {
-            csv: CsvSheet::new(dialect, to),
-            style,
-            answers: self.answers.as_ref(),
-        };
-        let answer = ["sensitivity", "most", "by"];
-        lines.record(["name", "value", "unit", "entry"], "bound", answer)?;
+        let answers = self.answers.as_ref();
+        let mut lines = ValueSheet::new(style, dialect, answers, true, to)?;
         for (name, value, unit) in self.driver_figures() {
-            lines.figure(&name, &unit, Entry::given(value))?;
+            lines.value(&name, &unit, Entry::given(value))?;
         }
         for vector in &self.vectors {
             for (aspect, entry) in vector_figures(vector) {
                 let name = format!("{}.{}", vector.name, aspect.name());
-                lines.figure(&name, &aspect.unit(self.unit), entry)?;
+                lines.value(&name, &aspect.unit(self.unit), entry)?;
             }
         }
         for point in &self.points {
@@ -85,16 +80,14 @@ impl Tables {
                 let figures = point_aspects(order).into_iter();
                 for ((figure, aspect), entry) in figures.zip(point_entries(point, order)) {
                     let name = format!("{}.{figure}", point.name);
-                    lines.figure(&name, &aspect.unit(self.unit), entry)?;
+                    lines.value(&name, &aspect.unit(self.unit), entry)?;
                 }
             }
         }
         for (name, unit, entry) in self.forces.iter().flat_map(Forces::figures) {
-            lines.figure(&name, unit, entry)?;
+            lines.value(&name, unit, entry)?;
         }
-        let state = ["state", state_word(self.condition), "", ""];
-        lines.record(state, "", [""; 3])?;
-        lines.csv.finish()
+        lines.finish(self.condition)
     }
 
     fn driver_figures(&self) -> [(String, f64, String); 3] {
@@ -199,41 +192,69 @@ fn point_json(point: &PointRow, bounds: bool) -> Value {
 }
 
 /// Inserts a value, followed by its error bound if requested.
-fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bool) {
+pub(super) fn insert(object: &mut Map<String, Value>, name: &str, entry: &Entry, bounds: bool) {
     object.insert(name.into(), number(entry.value));
     if bounds {
         object.insert(format!("{name}.bound"), number(entry.proved()));
     }
 }
 
-struct TableCsv<'a, W: Write> {
+/// Writes a line per value as CSV: `name,value,unit`, and further cells if requested.
+pub(super) struct ValueSheet<'a, W: Write> {
     csv: CsvSheet<W>,
     style: TableStyle,
     answers: Option<&'a Answers>,
+    /// Whether a cell distinguishes given values from computed ones.
+    with_entry: bool,
 }
 
-impl<W: Write> TableCsv<'_, W> {
+impl<'a, W: Write> ValueSheet<'a, W> {
+    /// Writes the header; `with_entry` adds a cell that distinguishes given values.
+    pub(super) fn new(
+        style: TableStyle,
+        dialect: CsvDialect,
+        answers: Option<&'a Answers>,
+        with_entry: bool,
+        to: W,
+    ) -> io::Result<Self> {
+        let mut sheet = ValueSheet {
+            csv: CsvSheet::new(dialect, to),
+            style,
+            answers,
+            with_entry,
+        };
+        let answer = ["sensitivity", "most", "by"];
+        sheet.record(["name", "value", "unit", "entry"], "bound", answer)?;
+        Ok(sheet)
+    }
+
     /// Writes the fixed cells, then the bound and the sensitivity if requested.
     fn record(&mut self, cells: [&str; 4], bound: &str, answer: [&str; 3]) -> io::Result<()> {
         let [name, value, unit, entry] = cells;
         let unit = self.style.units.then_some(unit);
+        let entry = self.with_entry.then_some(entry);
         let bound = self.style.bounds.then_some(bound);
-        let answer = self.answers.map(|_| answer);
-        let cells = [name, value].into_iter().chain(unit).chain([entry]);
-        let cells = cells.chain(bound).chain(answer.into_iter().flatten());
-        self.csv.record(cells)
+        let answer = self.answers.map(|_| answer).into_iter().flatten();
+        let cells = [name, value].into_iter().chain(unit).chain(entry);
+        self.csv.record(cells.chain(bound).chain(answer))
     }
 
-    fn figure(&mut self, name: &str, unit: &str, figure: Entry) -> io::Result<()> {
-        let entry = if figure.given { "given" } else { "found" };
+    /// Writes a value.
+    pub(super) fn value(&mut self, name: &str, unit: &str, value: Entry) -> io::Result<()> {
+        let entry = if value.given { "given" } else { "found" };
         let answer = self.answers.and_then(|answers| answers.of(name));
         let most = answer.and_then(|answer| answer.most.as_ref());
         let length = most.map_or("", |(length, _)| length);
-        let value = cell(figure.value);
-        let bound = cell(figure.proved());
+        let bound = cell(value.proved());
         let worst = cell(answer.map(|answer| answer.worst));
         let by = cell(most.map(|(_, derivative)| *derivative));
-        let cells = [name, &value, unit, entry];
+        let cells = [name, &cell(value.value), unit, entry];
         self.record(cells, &bound, [&worst, length, &by])
+    }
+
+    /// Writes the state as the last line.
+    pub(super) fn finish(mut self, condition: Condition) -> io::Result<()> {
+        self.record(["state", state_word(condition), "", ""], "", [""; 3])?;
+        self.csv.finish()
     }
 }

@@ -150,13 +150,13 @@ impl TablesWriter<'_> {
             self.entry(lengths(v), length.1)
         });
         if self.style.bounds {
-            row(BOUND.into(), &|v| self.bound(lengths(v)) + " ");
+            row(BOUND.into(), &|v| shown_bound(lengths(v)) + " ");
         }
         row(self.label(turning.0, turning.1), &|v| {
             self.entry(turnings(v), turning.1)
         });
         if self.style.bounds {
-            row(BOUND.into(), &|v| self.bound(turnings(v)) + " ");
+            row(BOUND.into(), &|v| shown_bound(turnings(v)) + " ");
         }
         table
     }
@@ -172,20 +172,7 @@ impl TablesWriter<'_> {
     }
 
     pub(super) fn figure(&self, entry: Entry, aspect: Aspect) -> String {
-        match (entry.seen(), aspect) {
-            (None, _) => "-".into(),
-            (Some(value), Aspect::Angle) => direction(value, self.style.digits),
-            (Some(value), _) => significant(value, self.style.digits),
-        }
-    }
-
-    /// Formats the error bound of a value; empty for a missing value.
-    pub(super) fn bound(&self, entry: Entry) -> String {
-        match (entry.value, entry.seen_bound()) {
-            (None, _) => String::new(),
-            (Some(_), None) => "?".into(),
-            (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
-        }
+        shown(entry, aspect == Aspect::Angle, self.style.digits)
     }
 
     fn add_legend(&self, page: &mut Page) {
@@ -218,10 +205,28 @@ impl TablesWriter<'_> {
             let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
             table.row(point.name.as_str(), cells);
             if self.style.bounds {
-                table.row(BOUND, entries.map(|entry| self.bound(entry)));
+                table.row(BOUND, entries.map(|entry| shown_bound(entry)));
             }
         }
         table
+    }
+}
+
+/// Formats a value: zero if it is small and within its error bound.
+pub(super) fn shown(entry: Entry, is_direction: bool, digits: usize) -> String {
+    match entry.seen() {
+        None => "-".into(),
+        Some(value) if is_direction => direction(value, digits),
+        Some(value) => significant(value, digits),
+    }
+}
+
+/// Formats the error bound of a value; empty for a missing value.
+pub(super) fn shown_bound(entry: Entry) -> String {
+    match (entry.value, entry.seen_bound()) {
+        (None, _) => String::new(),
+        (Some(_), None) => "?".into(),
+        (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
     }
 }
 

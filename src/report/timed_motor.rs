@@ -2,6 +2,7 @@
 
 use super::check::leaves_text;
 use super::csv_dialect::{CsvDialect, CsvSheet, cell};
+use super::cycle_page::indented;
 use super::motor::{NOTHING, PARTS};
 use super::motor_csv::{step_cells, step_heads};
 use super::number::{concise, significant};
@@ -257,10 +258,6 @@ impl TimedMotorReport {
             "enough": self.fit.is_enough(),
         })
     }
-}
-
-fn indented(label: &str) -> String {
-    format!("  {label}")
 }
 
 fn sized(value: f64) -> String {

@@ -1,8 +1,9 @@
 //! Formats the motion of a press's ram over the cycle.
 
-use super::telling::{columns_of, figure, indented, indented_facts, none, timed};
+use super::telling::{columns_of, figure, indented_facts, none, timed};
 use super::{ALL_DECIMALS, DECIMALS, DIGITS};
 use crate::page::{Content, Page};
+use crate::report::cycle_page::indented;
 use crate::report::motor::{MotorReport, RamReport, end_word};
 use crate::report::number::{concise, significant};
 use crate::study::motor::Passing;

@@ -2,6 +2,7 @@
 
 use super::DIGITS;
 use crate::page::{Content, Facts, Rest, Setting, Table, TextRole};
+use crate::report::cycle_page::indented;
 use crate::report::motor::NOTHING;
 use crate::report::number::{self, concise, significant};
 use crate::study::motor::{
@@ -12,11 +13,6 @@ use crate::wording::words;
 /// Widths of a label, and of the value after it.
 pub(super) const LABEL: usize = 18;
 const FIGURE: usize = 10;
-
-/// Indents a label below a heading.
-pub(super) fn indented(label: &str) -> String {
-    format!("  {label}")
-}
 
 /// Returns labelled texts, indented below a heading.
 pub(super) fn indented_facts<'l>(told: impl IntoIterator<Item = (&'l str, String)>) -> Content {
