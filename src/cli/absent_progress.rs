@@ -1,6 +1,6 @@
 //! A stub of the progress line for builds without terminal support.
 
-use super::screen::TextScreen;
+use crate::cli::screen::TextScreen;
 
 /// The progress of a command, which is never shown.
 pub(super) struct Progress;

@@ -1,16 +1,17 @@
-//! Compares measurements in a file with computed values.
+//! Reads values and measurements of other programs.
 
-use super::args::SweepArgs;
-use super::failure::{Failure, note};
-use super::output::write_to;
-use super::report::foreign;
-use super::screen::TextScreen;
-use super::source::{SolvableScene, keep_file_apart};
-use super::sweep::figures;
+use crate::cli::failure::{Failure, note};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::keep_file_apart;
+use crate::files::read_ready;
 use crate::quantity::{Catalogue, Quantity};
-use crate::report::{Measured, RowFormat};
+use crate::report::{ForeignFigures, Measured, NoFigures, TextEncoding};
+use crate::scene::MAX_FILE_SIZE;
 use crate::wording::words;
 use std::path::Path;
+
+/// Maximum size of a file with another program's values, in bytes.
+const MAX_FOREIGN_SIZE: usize = 16 * MAX_FILE_SIZE;
 
 /// Reads the measurements of these quantities, or of all in the file.
 pub(super) fn measured(
@@ -26,37 +27,24 @@ pub(super) fn measured(
     found.ok_or_else(|| Failure::Usage(words().no_measurements(&shown)))
 }
 
-/// Runs `krank sweep --measured`: writes a row for each row of the file.
-pub(super) fn beside(
-    file: &Path,
-    args: &SweepArgs,
-    format: RowFormat,
-    opened: &SolvableScene,
-    screen: TextScreen,
-) -> Result<(), Failure> {
-    let SolvableScene { scene, solver } = opened;
-    let output = args.output.output.as_deref();
-    let mut catalogue = Catalogue::new(scene);
-    let of = match args.columns.is_empty() {
-        true => None,
-        false => Some(figures(&mut catalogue, &args.columns)?),
-    };
-    let found = measured(file, output, &catalogue, of.as_deref(), screen)?;
-    let is_told = matches!(format, RowFormat::Text { .. });
-    if !(is_told || found.strangers().is_empty()) {
-        note(&words().not_compared(&found.strangers().join(", ")), screen);
+/// Reads values from a file that another program wrote.
+pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
+    let shown = path.display().to_string();
+    let bytes = read_ready(path, MAX_FOREIGN_SIZE)
+        .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
+    let too_long = || Failure::Usage(words().too_many_figures(&shown));
+    if bytes.len() > MAX_FOREIGN_SIZE {
+        return Err(too_long());
     }
-    if let Some(left_out) = found.left_out().filter(|_| !is_told) {
-        note(&left_out, screen);
-    }
-    let written = (format, !args.figures.no_units);
-    let outcome = write_to(output, |out| {
-        found.write((scene, solver), written, screen.ascii, out)
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    let read = ForeignFigures::read(&name.to_string_lossy(), &bytes);
+    let figures = read.map_err(|why| match why {
+        NoFigures::Nothing => Failure::Usage(words().holds_no_figures(&shown)),
+        NoFigures::TooLong => too_long(),
     })?;
-    match outcome.valued {
-        0 => Err(Failure::Cannot(words().no_row_in_motion(
-            &crate::report::limits_text(solver.motion().range, catalogue.driver()),
-        ))),
-        _ => Ok(()),
+    if figures.encoding() == TextEncoding::Windows1254 {
+        let encoding = figures.encoding().name();
+        note(&words().file_decoded_as(&shown, encoding), screen);
     }
+    Ok(figures)
 }

@@ -1,20 +1,72 @@
-//! Options for CSV output: the decimal mark and the separator of cells.
+//! Output formats of values, and the dialect of CSV.
 
-use super::OutputFormat;
+use crate::cli::choice::{OptionValue, one_of};
 use crate::cli::failure::Failure;
 use crate::report::{CellSeparator, CsvDialect, DecimalMark, RowFormat};
-use crate::wording::words;
-use clap::builder::PossibleValue;
+use crate::scene::with_point;
+use crate::wording::{Words, words};
 use clap::{Args, ValueEnum};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum OutputFormat {
+    #[value(help = words().format_text())]
+    Text,
+    #[value(help = words().format_csv())]
+    Csv,
+    #[value(help = words().format_json())]
+    Json,
+}
+
+/// A page, or JSON.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(super) enum TextOrJson {
+    #[value(help = words().format_for_person())]
+    Text,
+    #[value(help = words().format_json())]
+    Json,
+}
+
+#[derive(Debug, Args)]
+pub(super) struct FigureArgs {
+    #[arg(help = words().digits_of_tables())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    pub(super) digits: u8,
+    #[command(flatten)]
+    pub(super) csv: CsvArgs,
+    #[arg(help = words().leave_units_out())]
+    #[arg(long)]
+    pub(super) no_units: bool,
+    #[arg(help = words().add_bounds())]
+    #[arg(long)]
+    pub(super) bounds: bool,
+    #[arg(help = words().add_sensitivity())]
+    #[arg(long)]
+    pub(super) sensitivity: bool,
+}
+
+const MARKS: [OptionValue<DecimalMark>; 2] = [
+    ("point", <dyn Words>::decimal_point, DecimalMark::Point),
+    ("comma", <dyn Words>::decimal_comma, DecimalMark::Comma),
+];
+
+const SEPARATORS: [OptionValue<CellSeparator>; 3] = [
+    ("comma", <dyn Words>::separator_comma, CellSeparator::Comma),
+    (
+        "semicolon",
+        <dyn Words>::separator_semicolon,
+        CellSeparator::Semicolon,
+    ),
+    ("tab", <dyn Words>::separator_tab, CellSeparator::Tab),
+];
 
 /// How CSV is written.
 #[derive(Clone, Copy, Debug, Args)]
-pub(in crate::cli) struct CsvArgs {
+pub(super) struct CsvArgs {
     #[arg(help = words().decimal_of_csv())]
-    #[arg(long, value_name = "MARK", value_enum)]
+    #[arg(long, value_name = "MARK", value_parser = one_of(&MARKS))]
     decimal: Option<DecimalMark>,
     #[arg(help = words().separator_of_csv())]
-    #[arg(long, value_name = "SEPARATOR", value_enum)]
+    #[arg(long, value_name = "SEPARATOR", value_parser = one_of(&SEPARATORS))]
     separator: Option<CellSeparator>,
 }
 
@@ -24,7 +76,7 @@ impl CsvArgs {
     /// # Errors
     /// Returns a usage error if an option is given although `format` is not CSV. Returns a usage error if the decimal
     /// mark and the separator are both a comma.
-    pub(in crate::cli) fn dialect(self, format: OutputFormat) -> Result<CsvDialect, Failure> {
+    pub(super) fn dialect(self, format: OutputFormat) -> Result<CsvDialect, Failure> {
         let asked = [
             self.decimal.map(|_| "--decimal"),
             self.separator.map(|_| "--separator"),
@@ -41,11 +93,7 @@ impl CsvArgs {
 
 impl CsvArgs {
     /// Returns the format of rows, with so many digits in text.
-    pub(in crate::cli) fn rows(
-        self,
-        format: OutputFormat,
-        digits: usize,
-    ) -> Result<RowFormat, Failure> {
+    pub(super) fn rows(self, format: OutputFormat, digits: usize) -> Result<RowFormat, Failure> {
         let dialect = self.dialect(format)?;
         Ok(match format {
             OutputFormat::Csv => RowFormat::Csv(dialect),
@@ -55,31 +103,23 @@ impl CsvArgs {
     }
 }
 
-impl ValueEnum for DecimalMark {
-    fn value_variants<'a>() -> &'a [DecimalMark] {
-        &DecimalMark::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let about = match self {
-            DecimalMark::Point => words().decimal_point(),
-            DecimalMark::Comma => words().decimal_comma(),
-        };
-        Some(PossibleValue::new(self.name()).help(about))
-    }
+pub(super) fn positive(text: &str) -> Result<f64, String> {
+    let value = not_negative(text)?;
+    let wrong = || words().must_be_positive().to_owned();
+    (value > 0.0).then_some(value).ok_or_else(wrong)
 }
 
-impl ValueEnum for CellSeparator {
-    fn value_variants<'a>() -> &'a [CellSeparator] {
-        &CellSeparator::ALL
-    }
+pub(super) fn not_negative(text: &str) -> Result<f64, String> {
+    let value = number(text)?;
+    let wrong = || words().must_not_be_negative().to_owned();
+    (value.is_finite() && value >= 0.0)
+        .then_some(value)
+        .ok_or_else(wrong)
+}
 
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        let about = match self {
-            CellSeparator::Comma => words().separator_comma(),
-            CellSeparator::Semicolon => words().separator_semicolon(),
-            CellSeparator::Tab => words().separator_tab(),
-        };
-        Some(PossibleValue::new(self.name()).help(about))
-    }
+pub(super) fn number(text: &str) -> Result<f64, String> {
+    let unclear = || words().digits_without_groups().to_owned();
+    let text = with_point(text).ok_or_else(unclear)?;
+    text.parse()
+        .map_err(|_| words().must_be_a_number().to_owned())
 }

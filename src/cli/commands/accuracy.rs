@@ -1,16 +1,40 @@
 //! `krank accuracy`: runs the accuracy study and writes its findings.
 
-use super::args::{AccuracyArgs, OutputFormat};
-use super::failure::Failure;
-use super::output::write_to;
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::{SolvableScene, open_for};
+use crate::cli::failure::Failure;
+use crate::cli::formats::{CsvArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, write_to};
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{AssemblyArgs, SolvableScene, open_for};
 use crate::drawing::{Glyphs, trade_off};
 use crate::report::{Accuracy, accuracy_notes};
-use crate::study::{Findings, Study};
+use crate::study::{Findings, Study, USUAL_POSITIONS};
 use crate::wording::words;
+use clap::Args;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
+
+/// Maximum number of positions; more take minutes and find no larger error.
+const MAX_POSITIONS: i64 = 1_000_000;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct AccuracyArgs {
+    #[arg(help = words().name_of_scene())]
+    #[arg(default_value = "four-bar")]
+    scene: PathBuf,
+    #[arg(help = words().positions_to_compare())]
+    #[arg(long, value_name = "N", default_value_t = USUAL_POSITIONS, value_parser = clap::value_parser!(u32).range(1..=MAX_POSITIONS))]
+    positions: u32,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[command(flatten)]
+    assembly: AssemblyArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
 
 /// Time between two progress reports.
 const SLICE: Duration = Duration::from_millis(50);
@@ -19,7 +43,7 @@ const PARTS: u64 = 1000;
 /// Size of the chart below the table, in columns and rows.
 const CHART: (u16, u16) = (80, 20);
 
-pub(super) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn accuracy(args: &AccuracyArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } =
         open_for(&args.scene, &args.assembly.wishes, &args.output)?;

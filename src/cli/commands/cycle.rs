@@ -1,17 +1,41 @@
 //! `krank cycle`: reports values over the whole motion.
 
-use super::args::{CycleArgs, OutputFormat};
-use super::commands::note_near_misses;
-use super::failure::Failure;
-use super::output::{write_text, write_to};
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::sweep::{entries, figures};
+use crate::cli::columns::{entries, figures};
+use crate::cli::failure::Failure;
+use crate::cli::formats::{CsvArgs, OutputFormat, positive};
+use crate::cli::output::{OutputArgs, write_text, write_to};
+use crate::cli::place::note_near_misses;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Quantity};
 use crate::report::{CycleReport, usual_columns};
 use crate::scene::Scene;
+use crate::wording::words;
+use clap::Args;
 
-pub(super) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure> {
+#[derive(Debug, Args)]
+pub(in crate::cli) struct CycleArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().columns_of_cycle())]
+    #[arg(long, value_name = "PATTERNS")]
+    columns: Vec<String>,
+    #[arg(help = words().dwell_of_cycle())]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
+    dwell: Option<f64>,
+    #[arg(help = words().bounds_of_cycle())]
+    #[arg(long)]
+    bounds: bool,
+    #[arg(help = words().how_to_write_cycle())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(in crate::cli) fn cycle(args: &CycleArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let columns = match args.columns.is_empty() {

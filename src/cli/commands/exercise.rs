@@ -1,21 +1,45 @@
 //! `krank exercise`: writes a sheet, a file for the answers and a solution for each seed.
 
-use super::args::{ExerciseArgs, OutputFormat, SceneArgs};
-use super::failure::Failure;
-use super::output::write_text;
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::SolvableScene;
+use crate::Ball;
+use crate::cli::choice::one_of;
+use crate::cli::commands::report::FORMATS;
+use crate::cli::failure::Failure;
+use crate::cli::formats::{CsvArgs, OutputFormat};
+use crate::cli::output::write_text;
+use crate::cli::place::out_of_reach;
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::files::read_ready;
-use crate::report::{CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
+use crate::report::{self, CsvDialect, Report, ReportFormat, answer_key, blank_answers, is_blank};
 use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Order, Solver, State, Workspace};
 use crate::study::{AnswerKey, Exercise, ExerciseMaker, ExerciseTitles, SheetScene};
 use crate::wording::words;
-use crate::{Ball, report};
+use clap::Args;
 use std::io::ErrorKind;
 use std::ops::RangeInclusive;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ExerciseArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().seed_of_exercise())]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    #[arg(help = words().count_of_exercises())]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    count: u16,
+    #[arg(help = words().format_of_sheet())]
+    #[arg(long, value_parser = one_of(&FORMATS))]
+    format: Option<ReportFormat>,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[arg(help = words().folder_of_exercises())]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
 
 /// Significant digits of the solution.
 const DIGITS: usize = 6;
@@ -23,7 +47,7 @@ const DIGITS: usize = 6;
 const UNNAMED: &str = "exercise";
 
 /// Writes exercises into a folder, or one sheet to standard output.
-pub(super) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn exercise(args: &ExerciseArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(OutputFormat::Csv)?;
     let seeds = seeds(args)?;
     let SolvableScene { scene, solver } = args.scene.open()?;
@@ -101,7 +125,7 @@ fn for_shell(word: &str) -> String {
 }
 
 /// The solved state for the questions of a sheet.
-pub(super) struct AskedState {
+pub(in crate::cli) struct AskedState {
     state: Workspace,
     enclosure: Workspace<Ball>,
 }
@@ -114,7 +138,7 @@ impl AskedState {
         let mut enclosure = solver.enclosure();
         let condition = solver.solve(at, Order::Force, &mut state);
         if condition == crate::solver::Condition::NoAssembly {
-            return Err(super::commands::out_of_reach(scene, solver, at));
+            return Err(out_of_reach(scene, solver, at));
         }
         if !state.has(Order::Acceleration) {
             return Err(Failure::Cannot(words().no_figures_at(&at.to_string())));

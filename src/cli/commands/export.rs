@@ -1,17 +1,40 @@
 //! `krank export`: writes a script that solves the positions of a scene on its own.
 
-use super::args::ExportArgs;
-use super::commands::note_near_misses;
-use super::failure::Failure;
-use super::output::{file, write_text};
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use crate::handover::script;
+use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::failure::Failure;
+use crate::cli::output::{OutputArgs, file, write_text};
+use crate::cli::place::note_near_misses;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::handover::{ScriptLanguage, script};
+use crate::wording::{Words, words};
+use clap::Args;
 
-pub(super) fn export(args: &ExportArgs, screen: TextScreen) -> Result<(), Failure> {
+/// The languages of scripts.
+const LANGUAGES: [OptionValue<ScriptLanguage>; 2] = [
+    ("python", <dyn Words>::format_python, ScriptLanguage::Python),
+    (
+        "matlab|octave",
+        <dyn Words>::format_matlab,
+        ScriptLanguage::Matlab,
+    ),
+];
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ExportArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_parser = one_of(&LANGUAGES))]
+    format: ScriptLanguage,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(in crate::cli) fn export(args: &ExportArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     note_near_misses(&scene, &solver, screen);
-    let text = script(&scene, &solver, args.format.language(), &called(args));
+    let text = script(&scene, &solver, args.format, &called(args));
     write_text(args.output.output.as_deref(), &text)
 }
 

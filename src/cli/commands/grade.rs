@@ -1,21 +1,52 @@
 //! `krank grade`: grades the answers of one student or of a class.
 
-use super::args::{GradeArgs, GradeFormat, OutputFormat};
-use super::commands::place;
-use super::exercise::AskedState;
-use super::failure::{Failure, note};
-use super::output::{write_text, write_to};
-use super::screen::TextScreen;
-use super::source::{SolvableScene, check_output_differs, find, keep_file_apart, load};
+use crate::cli::commands::exercise::AskedState;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{CsvArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, write_text, write_to};
+use crate::cli::place::{PlaceArgs, place};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{
+    AssemblyArgs, SolvableScene, check_output_differs, find, keep_file_apart, load,
+};
 use crate::files::read_ready;
 use crate::page::TextStyle;
 use crate::report::{AnswerFile, GradedAnswers, NoAnswers, class_csv, class_page, named_again};
 use crate::scene::MAX_FILE_SIZE;
 use crate::wording::words;
+use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf, is_separator};
 
+#[derive(Debug, Args)]
+pub(in crate::cli) struct GradeArgs {
+    #[arg(help = words().sheet_to_grade())]
+    sheet: PathBuf,
+    #[arg(help = words().files_of_answers())]
+    #[arg(required = true)]
+    answers: Vec<PathBuf>,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[command(flatten)]
+    assembly: AssemblyArgs,
+    #[arg(help = words().how_to_write_grades())]
+    #[arg(long, value_enum, default_value_t = GradeFormat::Text)]
+    format: GradeFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum GradeFormat {
+    #[value(help = words().format_text())]
+    Text,
+    #[value(help = words().format_csv())]
+    Csv,
+}
+
 /// Grades every file. A file that cannot be graded is reported, and the others are still graded.
-pub(super) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn grade(args: &GradeArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(match args.format {
         GradeFormat::Text => OutputFormat::Text,
         GradeFormat::Csv => OutputFormat::Csv,

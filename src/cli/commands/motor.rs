@@ -1,12 +1,12 @@
 //! `krank motor`: computes the motor's duty over one cycle of a scene.
 
-use super::args::{MotorArgs, OutputFormat};
-use super::commands::note_near_misses;
-use super::failure::{Failure, note};
-use super::output::{write_text, write_to};
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::sweep::clock;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{CsvArgs, OutputFormat, not_negative, number, positive};
+use crate::cli::output::{OutputArgs, write_text, write_to};
+use crate::cli::place::note_near_misses;
+use crate::cli::rows::clock;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::report::{CsvDialect, MotorReport, MotorRequest, TimedMotorReport, limits_text};
@@ -15,9 +15,68 @@ use crate::solver::{Range, Solver};
 use crate::study::motor::{Duty, DutyError, MAX_FLUCTUATION, TimedDuty, is_within};
 use crate::wording::words;
 use crate::{Body, SlideId};
+use clap::Args;
 use std::fmt::Display;
 
-pub(super) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure> {
+#[derive(Debug, Args)]
+pub(in crate::cli) struct MotorArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().rated_effort())]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
+    rated: Option<f64>,
+    #[arg(help = words().peak_effort())]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
+    peak: Option<f64>,
+    #[arg(help = words().motor_speed())]
+    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    speed: Option<String>,
+    #[arg(help = words().flywheel_on_shaft())]
+    #[arg(long, value_name = "INERTIA", value_parser = positive, allow_negative_numbers = true)]
+    flywheel: Option<f64>,
+    #[arg(help = words().wished_fluctuation())]
+    #[arg(long, value_name = "SHARE", value_parser = positive, allow_negative_numbers = true)]
+    fluctuation: Option<f64>,
+    #[arg(help = words().slide_of_ram())]
+    #[arg(long, value_name = "NAME")]
+    ram: Option<String>,
+    #[arg(help = words().height_of_ram())]
+    #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
+    height: Option<f64>,
+    #[arg(help = words().effort_for_ram())]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
+    torque: Option<f64>,
+    #[arg(help = words().tolerance_of_rest())]
+    #[arg(long, alias = "tolerance", value_name = "LENGTH", value_parser = positive, allow_negative_numbers = true)]
+    rest: Option<f64>,
+    #[arg(help = words().there_and_back_from())]
+    #[arg(
+        long,
+        value_name = "COORDINATE",
+        requires = "to",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    from: Option<f64>,
+    #[arg(help = words().there_and_back_to())]
+    #[arg(
+        long,
+        value_name = "COORDINATE",
+        requires = "from",
+        value_parser = number,
+        allow_negative_numbers = true
+    )]
+    to: Option<f64>,
+    #[arg(help = words().how_to_write_motor())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+pub(in crate::cli) fn motor(args: &MotorArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     if scene.motion.is_some() {

@@ -1,31 +1,93 @@
 //! `krank plot`: plots values over the driver coordinate, time or another value.
 
-use super::args::{BandChoice, PictureFormat, PlotArgs, Size};
-use super::commands::note_near_misses;
-use super::failure::{Failure, note};
-use super::measured::measured;
-use super::output::write_text;
-use super::picture::{self, ASPECT};
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::sweep::{figures, first, last, named};
 use crate::Vec2;
+use crate::cli::choice::{OptionValue, OrAuto, one_of};
+use crate::cli::columns::{figures, named};
+use crate::cli::failure::{Failure, note};
+use crate::cli::foreign::measured;
+use crate::cli::output::{OutputArgs, write_text};
+use crate::cli::picture::{self, ASPECT, GLYPHS, Size};
+use crate::cli::place::note_near_misses;
+use crate::cli::rows::{first, last};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::drawing::Glyphs;
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::quantity::{Abscissa, Catalogue, Curves, Quantity};
-use crate::report::limits_text;
+use crate::report::{WrittenDecimal, limits_text};
 use crate::scene::Scene;
 use crate::solver::{Condition, Range, Solver};
-use crate::study::ToleranceStudy;
-use crate::wording::words;
+use crate::study::{BandKind, ToleranceStudy};
+use crate::wording::{Words, words};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// The limits that may be drawn beside a curve.
+const BANDS: [OptionValue<BandKind>; 2] = [
+    ("worst", <dyn Words>::band_worst, BandKind::Worst),
+    (
+        "rss",
+        <dyn Words>::band_root_sum_square,
+        BandKind::RootSumSquare,
+    ),
+];
+
+/// How a plot is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum PictureFormat {
+    #[value(help = words().format_characters())]
+    #[default]
+    Text,
+    #[value(help = words().format_svg())]
+    Svg,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PlotArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().columns_to_plot())]
+    #[arg(long, value_name = "PATTERNS", required = true)]
+    columns: Vec<String>,
+    #[arg(help = words().plot_against())]
+    #[arg(long, value_name = "NAME", default_value = "driver")]
+    against: String,
+    #[arg(help = words().measured_figures())]
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    #[arg(help = words().driver_begins())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    from: Option<WrittenDecimal>,
+    #[arg(help = words().driver_ends())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    to: Option<WrittenDecimal>,
+    #[arg(help = words().leave_extrema_out())]
+    #[arg(long)]
+    no_extrema: bool,
+    #[arg(help = words().band_of_tolerances())]
+    #[arg(long, value_parser = one_of(&BANDS))]
+    band: Option<BandKind>,
+    #[arg(help = words().characters_to_draw_with())]
+    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    glyphs: OrAuto<Glyphs>,
+    #[arg(help = words().size_of_plot())]
+    #[arg(long, value_name = "COLSxROWS")]
+    size: Option<Size>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t)]
+    format: PictureFormat,
+    #[command(flatten)]
+    output: OutputArgs,
+}
 
 /// Default size of an SVG in characters, and the size of a character in its units.
-pub(super) const SVG: Size = Size {
+pub(in crate::cli) const SVG: Size = Size {
     cols: 100,
     rows: 40,
 };
-pub(super) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+pub(in crate::cli) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
 
-pub(super) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
     let figures = figures(&mut catalogue, &args.columns)?;
@@ -84,13 +146,13 @@ fn add_band(
     curves: &Curves,
     (scene, solver): (&Scene, &Solver),
     figures: &[Quantity],
-    band: BandChoice,
+    band: BandKind,
 ) -> Result<(), Failure> {
     let study = ToleranceStudy::new(scene, solver, scene.tolerances(), figures);
     let mut study = study.map_err(|why| Failure::Cannot(why.to_string()))?;
-    let offsets = study.band(&curves.at, band.kind());
+    let offsets = study.band(&curves.at, band);
     for (figure, offsets) in offsets.iter().enumerate() {
-        let name = format!("{} {}", figures[figure].name, band.kind().word());
+        let name = format!("{} {}", figures[figure].name, band.word());
         plot.add_band(curves, figure, offsets, name);
     }
     Ok(())

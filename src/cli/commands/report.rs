@@ -1,24 +1,65 @@
 //! `krank report`: writes the solution of one state as a document.
 
-use super::args::ReportArgs;
-use super::commands::{note_near_misses, nothing_hidden, out_of_reach, place};
-use super::failure::{Failure, note};
-use super::output::{file, write_text};
-use super::screen::TextScreen;
-use super::source::{SolvableScene, keep_file_apart};
-use crate::files::read_ready;
-use crate::report::{ForeignFigures, NoFigures, Report, ReportFormat, TextEncoding};
-use crate::scene::MAX_FILE_SIZE;
+use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::failure::Failure;
+use crate::cli::foreign::foreign;
+use crate::cli::output::{OutputArgs, file, write_text};
+use crate::cli::place::{PlaceArgs, note_near_misses, nothing_hidden, out_of_reach, place};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene, keep_file_apart};
+use crate::report::{Report, ReportFormat, WorkingNotation};
 use crate::solver::{Condition, Order};
-use crate::wording::words;
-use std::path::Path;
+use crate::wording::{Words, words};
+use clap::{Args, ValueHint};
+use std::path::{Path, PathBuf};
 
-/// Maximum size of a file with another program's values, in bytes.
-const MAX_FOREIGN_SIZE: usize = 16 * MAX_FILE_SIZE;
+/// The formats of reports.
+pub(in crate::cli) const FORMATS: [OptionValue<ReportFormat>; 4] = [
+    ("html", <dyn Words>::format_html, ReportFormat::Html),
+    ("latex", <dyn Words>::format_latex, ReportFormat::Latex),
+    (
+        "markdown",
+        <dyn Words>::format_markdown,
+        ReportFormat::Markdown,
+    ),
+    ("text", <dyn Words>::format_plain, ReportFormat::Text),
+];
+
+/// The notations of unit vectors in the working.
+pub(in crate::cli) const NOTATIONS: [OptionValue<WorkingNotation>; 2] = [
+    (
+        "lecture",
+        <dyn Words>::notation_lecture,
+        WorkingNotation::Lecture,
+    ),
+    ("krank", <dyn Words>::notation_krank, WorkingNotation::Krank),
+];
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ReportArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().notation_of_working())]
+    #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "lecture")]
+    notation: WorkingNotation,
+    #[arg(help = words().format_of_report())]
+    #[arg(long, value_parser = one_of(&FORMATS))]
+    format: Option<ReportFormat>,
+    #[arg(help = words().digits())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    digits: u8,
+    #[arg(help = words().against_figures())]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    against: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
 
 /// Writes the report. Without an assembly, writes its possible part and returns the reason as an
 /// error.
-pub(super) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
     let path = args.output.output.as_deref();
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let format = format(args.format, path)?;
@@ -58,26 +99,4 @@ fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportForm
         }),
         _ => Ok(ReportFormat::default()),
     }
-}
-
-/// Reads values from a file that another program wrote.
-pub(super) fn foreign(path: &Path, screen: TextScreen) -> Result<ForeignFigures, Failure> {
-    let shown = path.display().to_string();
-    let bytes = read_ready(path, MAX_FOREIGN_SIZE)
-        .map_err(|e| Failure::Usage(words().cannot_read(&format!("`{shown}`"), &e)))?;
-    let too_long = || Failure::Usage(words().too_many_figures(&shown));
-    if bytes.len() > MAX_FOREIGN_SIZE {
-        return Err(too_long());
-    }
-    let name = path.file_name().unwrap_or(path.as_os_str());
-    let read = ForeignFigures::read(&name.to_string_lossy(), &bytes);
-    let figures = read.map_err(|why| match why {
-        NoFigures::Nothing => Failure::Usage(words().holds_no_figures(&shown)),
-        NoFigures::TooLong => too_long(),
-    })?;
-    if figures.encoding() == TextEncoding::Windows1254 {
-        let encoding = figures.encoding().name();
-        note(&words().file_decoded_as(&shown, encoding), screen);
-    }
-    Ok(figures)
 }

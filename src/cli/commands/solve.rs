@@ -1,23 +1,68 @@
 //! `krank solve`: finds values of a scene that meet goals, or optimal ones.
 
-use super::args::{FoundFormat, SolveArgs};
-use super::failure::{Failure, note};
-use super::output::{write_scene, write_text};
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::SolvableScene;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::TextOrJson;
+use crate::cli::output::{OutputArgs, write_scene, write_text};
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::parallel;
 use crate::quantity::Catalogue;
 use crate::report::{BestReport, GoalReport, no_best};
 use crate::study::{
     BestDesign, CycleFigure, Design, DesignFigures, DesignSpace, Goal, GoalSearch, OptimiseOrder,
+    PlanAxis,
 };
 use crate::wording::words;
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct SolveArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().values_to_vary())]
+    #[arg(
+        long,
+        value_name = "NAME[=LOW..HIGH]",
+        value_delimiter = ',',
+        required = true
+    )]
+    vary: Vec<PlanAxis>,
+    #[arg(help = words().goal_to_meet())]
+    #[arg(long, value_name = "GOAL")]
+    goal: Vec<String>,
+    #[arg(help = words().limit_to_keep())]
+    #[arg(long, value_name = "GOAL")]
+    keep: Vec<String>,
+    #[arg(help = words().figure_to_minimize())]
+    #[arg(long, value_name = "FIGURE", conflicts_with = "maximize")]
+    minimize: Option<String>,
+    #[arg(help = words().figure_to_maximize())]
+    #[arg(long, value_name = "FIGURE")]
+    maximize: Option<String>,
+    #[arg(help = words().starts_of_search())]
+    #[arg(long, value_name = "N", default_value_t = 24, value_parser = clap::value_parser!(u32).range(0..=100_000))]
+    starts: u32,
+    #[arg(help = words().generations_of_search())]
+    #[arg(long, value_name = "N", default_value_t = 300, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    generations: u32,
+    #[arg(help = words().seed_of_search())]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    #[arg(help = words().design_to_write())]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..))]
+    pick: u32,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = TextOrJson::Text)]
+    format: TextOrJson,
+    #[command(flatten)]
+    output: OutputArgs,
+}
 
 /// Decimals of the best value in the progress line.
 const SHOWN_DECIMALS: usize = 4;
 
-pub(super) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn solve(args: &SolveArgs, screen: TextScreen) -> Result<(), Failure> {
     let SolvableScene { scene, solver } = args.scene.open()?;
     let space = DesignSpace::of_axes(&scene, &solver, &args.vary)
         .map_err(|why| Failure::Usage(words().of_option("--vary", &why)))?;
@@ -158,8 +203,8 @@ fn end(progress: Progress, screen: TextScreen) {
 
 fn tell(args: &SolveArgs, text: &str, json: impl FnOnce() -> String) -> Result<(), Failure> {
     match args.format {
-        FoundFormat::Text => write_text(None, text),
-        FoundFormat::Json => write_text(None, &(json() + "\n")),
+        TextOrJson::Text => write_text(None, text),
+        TextOrJson::Json => write_text(None, &(json() + "\n")),
     }
 }
 

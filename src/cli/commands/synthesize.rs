@@ -1,14 +1,12 @@
 //! `krank synthesize`: finds linkages for a task; each is a scene verified by driving it
 //! through the task.
 
-use super::args::{OutputFormat, SynthesizeArgs};
-use super::failure::{Failure, note};
-use super::output::{write_text, write_to};
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::{contents, standard_input};
-#[cfg(feature = "tui")]
-use super::workbench;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{CsvArgs, OutputFormat};
+use crate::cli::output::{write_text, write_to};
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{contents, standard_input};
 use crate::files::read_ready;
 use crate::nearest::nearest;
 use crate::parallel;
@@ -16,16 +14,47 @@ use crate::report::SynthesisReport;
 use crate::scene::{MAX_FILE_SIZE, presets};
 use crate::synthesis::{Synthesis, SynthesisSettings, scene_text};
 use crate::task_file::{ExampleTask, TaskFile};
-#[cfg(feature = "tui")]
-use crate::tui::TaskOrder;
 use crate::wording::words;
+use clap::Args;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf, is_separator};
+
+#[cfg(feature = "tui")]
+use crate::cli::workbench;
+#[cfg(feature = "tui")]
+use crate::tui::TaskOrder;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct SynthesizeArgs {
+    #[arg(help = words().task_to_do())]
+    task: PathBuf,
+    #[arg(help = words().candidates_to_tell())]
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..=1000))]
+    top: u16,
+    #[arg(help = words().seed_of_search())]
+    #[arg(long, value_name = "N", default_value_t = SynthesisSettings::USUAL_SEED)]
+    seed: u64,
+    #[arg(help = words().tolerance_of_candidates())]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    tolerance: Option<f64>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[cfg(feature = "tui")]
+    #[arg(help = words().candidates_in_workbench())]
+    #[arg(long, conflicts_with_all = ["top", "format", "output"])]
+    view: bool,
+    #[arg(help = words().folder_of_candidates())]
+    #[arg(short, long, value_name = "DIR")]
+    output: Option<PathBuf>,
+}
 
 /// Progress at the end of the search, in thousandths.
 const WHOLE: u64 = 1000;
 
-pub(super) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn synthesize(args: &SynthesizeArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.csv.dialect(args.format)?;
     if args
         .tolerance

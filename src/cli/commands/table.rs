@@ -1,48 +1,46 @@
 //! The commands that need only a few lines each.
 
-use super::args::{CheckArgs, CheckFormat, Cli, OutputFormat, PlaceArgs, StartArgs, TableArgs};
-use super::failure::{Failure, note};
-use super::output::{write_scene, write_text, write_to};
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::sweep::{clock, figures, tell_of_motion};
-use crate::Input;
-use crate::quantity::{Catalogue, Hidden, MAX_DERIVATIVES, Quantity, Sensitivity};
-use crate::report::{
-    Answers, Check, FigureList, Forces, TableStyle, Tables, limits_text, near_misses, stop_before,
+use crate::cli::columns::figures;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{FigureArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, write_to};
+use crate::cli::place::{
+    PlaceArgs, check_derivative_count, none_hidden, note_lacking, note_near_misses, note_unproved,
+    nothing_hidden, out_of_reach, place,
 };
-use crate::scene::{Scene, presets, sanitized};
-use crate::solver::{Condition, Order, Solver, State};
+use crate::cli::rows::{clock, tell_of_motion};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, FigureList, Forces, TableStyle, Tables, WrittenDecimal};
+use crate::solver::{Condition, Order};
 use crate::wording::words;
-use clap::{Command, CommandFactory};
+use clap::Args;
 
-/// Runs `krank list`: prints a line per preset.
-pub(super) fn list(screen: TextScreen) -> Result<(), Failure> {
-    let presets = presets::all();
-    let width = presets.iter().map(|p| p.name.len()).max().unwrap_or(0);
-    let mut text = String::new();
-    for preset in presets {
-        let scene = Scene::parse(preset.text, preset.name).map_err(Failure::Scene)?;
-        let title = sanitized(&scene.title(), screen.ascii);
-        text.push_str(&format!("{:width$}  {title}\n", preset.name));
-    }
-    write_text(None, &text)
-}
-
-/// Runs `krank check`: prints the interpretation of a scene.
-pub(super) fn check(args: &CheckArgs, screen: TextScreen) -> Result<(), Failure> {
-    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
-    let check = Check::new(&scene, &solver);
-    let text = match args.format {
-        CheckFormat::Text => check.to_text(screen.ascii),
-        CheckFormat::Json => format!("{:#}\n", check.to_json()),
-    };
-    write_text(args.output.output.as_deref(), &text)
+#[derive(Debug, Args)]
+pub(in crate::cli) struct TableArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().moment_of_motion())]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, conflicts_with_all = ["at", "sensitivity"])]
+    time: Option<WrittenDecimal>,
+    #[arg(help = words().columns_of_table())]
+    #[arg(long, value_name = "PATTERNS")]
+    columns: Vec<String>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    figures: FigureArgs,
+    #[command(flatten)]
+    output: OutputArgs,
 }
 
 /// Runs `krank table`: prints positions, velocities, accelerations and loads at one driver
 /// coordinate.
-pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
     let dialect = args.figures.csv.dialect(args.format)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
@@ -106,127 +104,5 @@ pub(super) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure>
     match &list {
         None => nothing_hidden(&scene, &state),
         Some(list) => none_hidden(list.quantities(), &catalogue, &state),
-    }
-}
-
-/// Returns an error if any existing value of a state is not shown. Runs after all other output is
-/// written.
-pub(super) fn nothing_hidden(scene: &Scene, state: &State) -> Result<(), Failure> {
-    let catalogue = Catalogue::new(scene);
-    none_hidden(catalogue.all(), &catalogue, state)
-}
-
-fn none_hidden<'q>(
-    figures: impl IntoIterator<Item = &'q Quantity>,
-    catalogue: &Catalogue,
-    state: &State,
-) -> Result<(), Failure> {
-    match Hidden::of(figures, state) {
-        None => Ok(()),
-        Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
-    }
-}
-
-/// Returns the driver coordinate: the scene's initial one, or the typed one. A typed coordinate may
-/// differ by full turns, or by rounding, from the only one in the driver's range.
-pub(super) fn place(args: &PlaceArgs, scene: &Scene, solver: &Solver, screen: TextScreen) -> f64 {
-    let typed = args.typed().unwrap_or(scene.mechanism.driver().start);
-    normalize_coordinate(typed, scene, solver, screen)
-}
-
-/// Returns the coordinate in the driver's range meant by a typed one, with a note if they differ.
-pub(super) fn normalize_coordinate(
-    typed: f64,
-    scene: &Scene,
-    solver: &Solver,
-    screen: TextScreen,
-) -> f64 {
-    let driver = scene.mechanism.driver();
-    let range = solver.motion().range;
-    let turns = matches!(driver.input, Input::Turn(_));
-    let Some(at) = range.meant(typed, turns) else {
-        return typed;
-    };
-    let catalogue = Catalogue::new(scene);
-    let unit = &catalogue.driver().unit;
-    let limits = limits_text(range, catalogue.driver());
-    note(&words().taken_within(&typed, &at, unit, &limits), screen);
-    at
-}
-
-/// Returns the error for a coordinate without an assembly.
-pub(super) fn out_of_reach(scene: &Scene, solver: &Solver, at: f64) -> Failure {
-    let catalogue = Catalogue::new(scene);
-    let driver = catalogue.driver();
-    let covered = limits_text(solver.motion().range, driver);
-    let (low, high) = solver.motion().range.ends();
-    let end = if at < low { low } else { high };
-    let mut stops = solver.motion().stops.iter();
-    Failure::Cannot(match stops.find(|stop| stop.at == end) {
-        Some(stop) => stop_before(scene, stop.limit, (at, &driver.unit), &covered),
-        None => words().cannot_be_assembled(&at, &driver.unit, &covered),
-    })
-}
-
-/// Returns an error if the derivatives by lengths would need too much memory and time.
-pub(super) fn check_derivative_count(scene: &Scene, figures: usize) -> Result<(), Failure> {
-    let lengths = scene.mechanism.lengths().len();
-    if lengths.saturating_mul(figures) <= MAX_DERIVATIVES {
-        return Ok(());
-    }
-    Err(Failure::Usage(
-        words().too_many_sensitivities(figures, lengths),
-    ))
-}
-
-/// Reports the number of values without an error bound.
-pub(super) fn note_unproved(unproved: u64, figures: u64, screen: TextScreen) {
-    if unproved > 0 {
-        note(&words().unproved(&unproved, &figures), screen);
-    }
-}
-
-pub(super) fn note_lacking(lacking: u64, figures: u64, screen: TextScreen) {
-    if lacking > 0 {
-        note(&words().figures_without_answer(lacking, figures), screen);
-    }
-}
-
-/// Warns about nearby change points, where the last digits of the lengths determine how the motion
-/// continues.
-pub(super) fn note_near_misses(scene: &Scene, solver: &Solver, screen: TextScreen) {
-    for text in near_misses(scene, solver) {
-        note(&text, screen);
-    }
-}
-
-/// Runs `krank start`: prints the scene with the start positions of an assembly.
-pub(super) fn start(args: &StartArgs) -> Result<(), Failure> {
-    let SolvableScene { scene, solver } = args.scene.open()?;
-    let start = scene.mechanism.driver().start;
-    match scene.with_start_of(&solver, start) {
-        Some(text) => write_scene(args.output.output.as_deref(), &text),
-        None => Err(Failure::Cannot(words().no_start_tells_assembly().into())),
-    }
-}
-
-/// Runs `krank man`: prints the manual page of krank or of one of its commands.
-pub(super) fn man(command: Option<&str>, screen: TextScreen) -> Result<(), Failure> {
-    let mut krank = Cli::command();
-    krank.build();
-    let page = match command {
-        None => krank,
-        Some(name) => page_of(&krank, name)?,
-    };
-    let mut roff = Vec::new();
-    let rendered = clap_mangen::Man::new(page).render(&mut roff);
-    rendered.map_err(|e| Failure::Output(None, e))?;
-    write_text(None, &screen.shown(&String::from_utf8_lossy(&roff)))
-}
-
-fn page_of(krank: &Command, name: &str) -> Result<Command, Failure> {
-    match krank.find_subcommand(name) {
-        Some(command) => Ok(command.clone()),
-        None => Err(Failure::Usage(words().krank_has_no_command(name))),
     }
 }

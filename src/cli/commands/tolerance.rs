@@ -1,24 +1,97 @@
 //! `krank tolerance`: computes the effect of tolerances and joint clearances on values.
 
-use super::args::{OutputFormat, ToleranceArgs};
-use super::commands::{
+use crate::Tolerances;
+use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::columns::{entries, figures};
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{CsvArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, goes_to_terminal, write_text, write_to};
+use crate::cli::place::{
     check_derivative_count, normalize_coordinate, note_near_misses, out_of_reach,
 };
-use super::failure::{Failure, note};
-use super::output::{goes_to_terminal, write_text, write_to};
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::sweep::{RowEnds, entries, figures, steps};
-use crate::Tolerances;
+use crate::cli::progress::Progress;
+use crate::cli::rows::{RowEnds, steps};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Quantity, demand, length_name};
 use crate::report::{
     ToleranceOutcome, ToleranceReport, ToleranceRows, WrittenDecimal, limits_text,
 };
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
-use crate::study::{CycleFigure, SampleOrder, ToleranceError, ToleranceStudy, WholeTolerance};
-use crate::wording::words;
+use crate::study::{
+    CycleFigure, Distribution, SampleOrder, ToleranceError, ToleranceStudy, WholeTolerance,
+};
+use crate::wording::{Words, words};
+use clap::Args;
+
+/// How lengths are spread among the samples.
+const DISTRIBUTIONS: [OptionValue<Distribution>; 2] = [
+    (
+        "normal",
+        <dyn Words>::spread_choice_normal,
+        Distribution::Normal,
+    ),
+    ("even", <dyn Words>::spread_choice_even, Distribution::Even),
+];
+
+/// Maximum number of samples; more take memory and add no information.
+const MAX_SAMPLES: i64 = 10_000_000;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ToleranceArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().columns_of_tolerances())]
+    #[arg(long, value_name = "PATTERNS")]
+    columns: Vec<String>,
+    #[arg(help = words().place_of_tolerances())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    at: Option<WrittenDecimal>,
+    #[arg(help = words().first_row())]
+    #[arg(
+        long,
+        value_name = "COORDINATE",
+        allow_hyphen_values = true,
+        conflicts_with = "at"
+    )]
+    from: Option<WrittenDecimal>,
+    #[arg(help = words().last_row())]
+    #[arg(
+        long,
+        value_name = "COORDINATE",
+        allow_hyphen_values = true,
+        conflicts_with = "at"
+    )]
+    to: Option<WrittenDecimal>,
+    #[arg(help = words().row_to_row_of_tolerances())]
+    #[arg(
+        long,
+        value_name = "STEP",
+        allow_hyphen_values = true,
+        conflicts_with = "at"
+    )]
+    step: Option<WrittenDecimal>,
+    #[arg(help = words().tolerance_of_all())]
+    #[arg(long, value_name = "TOLERANCE", allow_negative_numbers = true)]
+    tolerance: Option<String>,
+    #[arg(help = words().machines_by_chance())]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=MAX_SAMPLES))]
+    samples: Option<u32>,
+    #[arg(help = words().seed_of_samples())]
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    #[arg(help = words().spread_of_lengths())]
+    #[arg(long, value_parser = one_of(&DISTRIBUTIONS), default_value = "normal")]
+    distribution: Distribution,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
 
 /// Default step, in degrees: 72 rows per turn.
 const STEP: f64 = 5.0;
@@ -29,7 +102,7 @@ const USUAL_SAMPLES: u32 = 100_000;
 /// Default number of random machines for values of the whole motion, because each must be tracked.
 const WHOLE_SAMPLES: u32 = 2_000;
 
-pub(super) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Result<(), Failure> {
     let format = args.csv.rows(args.format, DIGITS)?;
     let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
     let mut catalogue = Catalogue::new(&scene);
@@ -160,7 +233,7 @@ fn order(args: &ToleranceArgs, count: u32) -> SampleOrder {
     SampleOrder {
         count,
         seed: args.seed,
-        distribution: args.distribution.distribution(),
+        distribution: args.distribution,
     }
 }
 

@@ -1,16 +1,27 @@
 //! Writes completion scripts for shells, with the names of presets, tasks, topics and columns.
 
-use super::args::{Cli, CompletionShell};
-use super::failure::Failure;
-use super::output::write_text;
-use super::screen::TextScreen;
+use crate::cli::failure::Failure;
+use crate::cli::output::write_text;
+use crate::cli::screen::TextScreen;
 use crate::manual::TOPICS;
 use crate::scene::presets;
 use crate::task_file::ExampleTask;
 use clap::builder::PossibleValuesParser;
-use clap::{Arg, Command, CommandFactory};
+use clap::{Arg, Command, ValueEnum};
 use clap_complete::{Generator, Shell};
 use clap_complete_nushell::Nushell;
+
+/// A shell with completions.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(in crate::cli) enum CompletionShell {
+    Bash,
+    Elvish,
+    Fish,
+    Nushell,
+    #[value(name = "powershell")]
+    PowerShell,
+    Zsh,
+}
 
 /// Placeholder for the columns of a scene, which only the script can look up.
 const COLUMNS: &str = "KRANK-COLUMNS";
@@ -28,47 +39,51 @@ struct ColumnLookUp {
 }
 
 /// Runs `krank completions`: writes the script for a shell to standard output.
-pub(super) fn completions(shell: CompletionShell, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn completions(
+    shell: CompletionShell,
+    krank: &Command,
+    screen: TextScreen,
+) -> Result<(), Failure> {
     let script = match shell {
-        CompletionShell::Bash => with_columns(Shell::Bash, &BASH),
-        CompletionShell::Elvish => generated(Shell::Elvish, with_names(Cli::command())),
-        CompletionShell::Fish => with_columns(Shell::Fish, &FISH) + &fish_arguments(),
-        CompletionShell::Nushell => with_columns(Nushell, &NUSHELL),
-        CompletionShell::PowerShell => generated(Shell::PowerShell, with_names(Cli::command())),
-        CompletionShell::Zsh => with_zsh_arguments(with_columns(Shell::Zsh, &ZSH)),
+        CompletionShell::Bash => with_columns(Shell::Bash, krank, &BASH),
+        CompletionShell::Elvish => generated(Shell::Elvish, with_names(krank.clone())),
+        CompletionShell::Fish => with_columns(Shell::Fish, krank, &FISH) + &fish_arguments(krank),
+        CompletionShell::Nushell => with_columns(Nushell, krank, &NUSHELL),
+        CompletionShell::PowerShell => generated(Shell::PowerShell, with_names(krank.clone())),
+        CompletionShell::Zsh => with_zsh_arguments(with_columns(Shell::Zsh, krank, &ZSH)),
     };
     write_text(None, &screen.shown(&script))
 }
 
 const BASH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("completions/columns.bash"),
+    functions: include_str!("scripts/columns.bash"),
     behind: "",
     listed: "COMPREPLY=($(compgen -W \"KRANK-COLUMNS\" -- \"${cur}\"))",
     call: "_krank_columns",
 };
 const ZSH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("completions/columns.zsh"),
+    functions: include_str!("scripts/columns.zsh"),
     behind: "autoload -U is-at-least\n\n",
     listed: "(KRANK-COLUMNS)",
     call: "_krank_columns",
 };
 const FISH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("completions/columns.fish"),
+    functions: include_str!("scripts/columns.fish"),
     behind: "",
     listed: "-a \"KRANK-COLUMNS\\t''\"",
     call: "-a \"(__fish_complete_list , __krank_columns)\"",
 };
 const NUSHELL: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("completions/columns.nu"),
+    functions: include_str!("scripts/columns.nu"),
     behind: "module completions {\n",
     listed: "[] {\n    [ \"KRANK-COLUMNS\" ]",
     call: "[context: string] {\n    columns-of $context",
 };
 
 /// Generates a script with the built-in names and the lookup of columns.
-fn with_columns(generator: impl Generator, look_up: &ColumnLookUp) -> String {
+fn with_columns(generator: impl Generator, krank: &Command, look_up: &ColumnLookUp) -> String {
     let columns = |arg: &Arg| is_columns(arg).then(|| vec![COLUMNS]);
-    let krank = with_values(with_names(Cli::command()), columns);
+    let krank = with_values(with_names(krank.clone()), columns);
     let script = generated(generator, krank).replace(look_up.listed, look_up.call);
     match script.split_once(look_up.behind) {
         Some((before, after)) => [before, look_up.behind, look_up.functions, after].concat(),
@@ -145,8 +160,8 @@ fn with_zsh_arguments(mut script: String) -> String {
 }
 
 /// Returns completions of the positional arguments, which the generator for fish omits.
-fn fish_arguments() -> String {
-    let krank = with_names(Cli::command());
+fn fish_arguments(krank: &Command) -> String {
+    let krank = with_names(krank.clone());
     let of = |command: &Command, condition: &str| {
         let values = command.get_positionals().flat_map(Arg::get_possible_values);
         let values = values.map(|value| value.get_name().to_owned());

@@ -1,13 +1,12 @@
 //! Finds the words of `krank help WORD` in the questions, topics, keys, columns and commands.
 
-use super::args::Cli;
-use super::help::{about, table};
 use crate::manual::{self, FoundTopic, SearchWords};
+use crate::wording::{Language, words};
+use clap::{Arg, Command};
+use std::iter::once;
+
 #[cfg(feature = "tui")]
 use crate::tui::key_rows_about;
-use crate::wording::{Language, words};
-use clap::{Arg, CommandFactory};
-use std::iter::once;
 
 /// The topic with questions and answers.
 const QUESTIONS: &str = "how";
@@ -18,19 +17,29 @@ const INDENT: usize = 4;
 
 /// Returns a Markdown page that lists the occurrences of the words in the current language, or else in the other one.
 /// `near` is a similar name. Returns `None` if the words occur in neither language.
-pub(super) fn page(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
+pub(in crate::cli) fn page(
+    typed: &str,
+    near: Option<&str>,
+    width: usize,
+    krank: &Command,
+) -> Option<String> {
     // Replaces control characters such as U+0085.
     let typed = typed.split_whitespace().collect::<Vec<_>>().join(" ");
     let current = Language::spoken();
     let page = [current, current.next()].into_iter().find_map(|language| {
         language.speak();
-        page_in_language(&typed, near, width)
+        page_in_language(&typed, near, width, krank)
     });
     current.speak();
     page
 }
 
-fn page_in_language(typed: &str, near: Option<&str>, width: usize) -> Option<String> {
+fn page_in_language(
+    typed: &str,
+    near: Option<&str>,
+    width: usize,
+    krank: &Command,
+) -> Option<String> {
     let sought = SearchWords::new(typed);
     let (heading, questions) = questions(&sought);
     let sections = [
@@ -38,7 +47,7 @@ fn page_in_language(typed: &str, near: Option<&str>, width: usize) -> Option<Str
         (words().topics_heading(), topics(&sought, width)),
         (words().keys_heading(), rows(key_rows_about(&sought))),
         (words().columns_heading(), columns(&sought)),
-        (words().commands_heading(), rows(commands(&sought))),
+        (words().commands_heading(), rows(commands(&sought, krank))),
     ];
     let sections = sections.into_iter().filter(|(_, text)| !text.is_empty());
     let sections = sections.map(|(heading, text)| format!("\n# {heading}\n\n{text}"));
@@ -110,9 +119,8 @@ fn columns(sought: &SearchWords) -> String {
 }
 
 /// Returns a row for each command that has the words in its name, its purpose or an option, with these options.
-fn commands(sought: &SearchWords) -> String {
-    let krank = Cli::command();
-    let commands = once(&krank).chain(krank.get_subcommands());
+fn commands(sought: &SearchWords, krank: &Command) -> String {
+    let commands = once(krank).chain(krank.get_subcommands());
     let rows = commands.filter_map(|command| {
         let options = command.get_arguments().filter(|arg| is_about(arg, sought));
         let options = options.filter_map(|arg| Some(format!(" `--{}`", arg.get_long()?)));
@@ -141,4 +149,16 @@ fn is_about(arg: &Arg, sought: &SearchWords) -> bool {
 #[cfg(not(feature = "tui"))]
 fn key_rows_about(_: &SearchWords) -> String {
     String::new()
+}
+
+/// Returns a table in Markdown with these rows of two cells.
+pub(in crate::cli) fn table(rows: &str) -> String {
+    format!("| | |\n|---|---|\n{rows}")
+}
+
+pub(in crate::cli) fn about(command: &Command) -> String {
+    command
+        .get_about()
+        .map(ToString::to_string)
+        .unwrap_or_default()
 }

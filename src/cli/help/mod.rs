@@ -1,26 +1,55 @@
 //! `krank help`: shows the manual's topics and the help of commands.
 
-use super::args::{Cli, HelpArgs, HelpFormat};
-use super::failure::Failure;
-use super::lookup;
-use super::output::write_text;
-use super::pager;
-use super::screen::{TextScreen, size};
+pub(super) mod completions;
+mod lookup;
+pub(super) mod man;
+pub(super) mod misuse;
+mod pager;
+pub(super) mod version;
+
+use crate::cli::failure::Failure;
+use crate::cli::output::write_text;
+use crate::cli::screen::{TextScreen, size};
 use crate::manual::{self, LineKind, TOPICS, Topic};
 use crate::nearest::nearest;
+use crate::wording::words;
+use clap::{Args, Command, ValueEnum, ValueHint};
+use lookup::{about, table};
+use std::path::{Path, PathBuf};
+
 #[cfg(feature = "tui")]
 use crate::tui::key_rows;
-use crate::wording::words;
-use clap::{Command, CommandFactory};
-use std::path::Path;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct HelpArgs {
+    #[arg(help = words().topic_or_command())]
+    topic: Option<String>,
+    #[arg(help = words().write_at_once())]
+    #[arg(long)]
+    no_pager: bool,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = HelpFormat::Text)]
+    format: HelpFormat,
+    #[arg(help = words().folder_of_manual())]
+    #[arg(short, long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum HelpFormat {
+    #[value(help = words().format_for_person())]
+    Text,
+    #[value(help = words().format_web())]
+    Html,
+}
 
 /// Width in columns if the terminal reports none.
 const USUAL_WIDTH: usize = 80;
 
 /// Shows a topic or a command's help, lists both, or writes the manual as a web site.
-pub(super) fn help(args: &HelpArgs) -> Result<(), Failure> {
+pub(in crate::cli) fn help(args: &HelpArgs, krank: &Command) -> Result<(), Failure> {
     match (args.format, &args.output, &args.topic) {
-        (HelpFormat::Text, None, _) => show(args),
+        (HelpFormat::Text, None, _) => show(args, krank),
         (HelpFormat::Text, Some(_), _) => Err(Failure::Usage(words().folder_needs_html().into())),
         (HelpFormat::Html, _, Some(word)) => Err(Failure::Usage(words().html_has_all_topics(word))),
         (HelpFormat::Html, None, None) => Err(Failure::Usage(words().html_needs_folder().into())),
@@ -38,13 +67,13 @@ fn write_site(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn show(args: &HelpArgs) -> Result<(), Failure> {
+fn show(args: &HelpArgs, krank: &Command) -> Result<(), Failure> {
     let screen = TextScreen::of_results();
     let text = match args.topic.as_deref() {
-        None => laid_out(&contents(), screen),
+        None => laid_out(&contents(krank), screen),
         Some(word) => match manual::find(word) {
             Some(topic) => laid_out(&topic.text(key_rows), screen),
-            None => of_word(word, screen)?,
+            None => of_word(word, krank, screen)?,
         },
     };
     let text = screen.shown(&text);
@@ -69,14 +98,13 @@ fn width() -> usize {
 }
 
 /// Returns the list of topics and commands.
-fn contents() -> String {
+fn contents(krank: &Command) -> String {
     let rows = |rows: Vec<(&str, String)>| -> String {
         let rows = rows.into_iter();
         let rows = rows.map(|(name, about)| format!("| {name} | {about} |\n"));
         table(&rows.collect::<String>())
     };
     let topics = TOPICS.iter().map(|topic| (topic.name, topic.told()));
-    let krank = Cli::command();
     let commands = krank.get_subcommands().filter(|c| !c.is_hide_set());
     let commands = commands.map(|c| (c.get_name(), about(c)));
     format!(
@@ -89,30 +117,18 @@ fn contents() -> String {
     )
 }
 
-/// Returns a table in Markdown with these rows of two cells.
-pub(super) fn table(rows: &str) -> String {
-    format!("| | |\n|---|---|\n{rows}")
-}
-
-pub(super) fn about(command: &Command) -> String {
-    command
-        .get_about()
-        .map(ToString::to_string)
-        .unwrap_or_default()
-}
-
 /// Returns a command's help as its `--help` shows it, or the places where another word occurs.
-fn of_word(word: &str, screen: TextScreen) -> Result<String, Failure> {
-    let mut krank = Cli::command();
-    krank.build();
-    if let Some(command) = krank.find_subcommand_mut(word) {
+fn of_word(word: &str, krank: &Command, screen: TextScreen) -> Result<String, Failure> {
+    let mut built = krank.clone();
+    built.build();
+    if let Some(command) = built.find_subcommand_mut(word) {
         return Ok(words().of_parser(&command.render_long_help().to_string()));
     }
     let topics: Vec<&str> = TOPICS.iter().map(|topic: &Topic| topic.name).collect();
-    let commands = krank.get_subcommands().map(Command::get_name);
+    let commands = built.get_subcommands().map(Command::get_name);
     let others: Vec<&str> = manual::names_of_language().collect();
     let near = nearest(word, topics.iter().copied().chain(commands).chain(others));
-    match lookup::page(word, near, width()) {
+    match lookup::page(word, near, width(), krank) {
         Some(page) => Ok(laid_out(&page, screen)),
         None => Err(unknown(word, near, &topics.join(", "))),
     }

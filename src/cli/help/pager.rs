@@ -1,11 +1,11 @@
 //! Shows a long text in a pager.
 
-use super::failure::Failure;
-use super::output::write_text;
-use super::screen::TextScreen;
+use crate::cli::failure::Failure;
+use crate::cli::output::write_text;
+use crate::cli::screen::TextScreen;
 
 /// Shows a text in the user's pager. Without a terminal or a pager, writes it to standard output.
-pub(super) fn show(text: &str, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn show(text: &str, screen: TextScreen) -> Result<(), Failure> {
     if screen.redraws {
         // If the pager fails, the text is still written.
         let _ = become_pager(text);

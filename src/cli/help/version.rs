@@ -4,10 +4,10 @@ use crate::wording::words;
 use std::env::consts::{ARCH, OS};
 
 /// The option that adds these lines to `--version`.
-pub(super) const LONG: &str = "--long";
+pub(in crate::cli) const LONG: &str = "--long";
 
 /// Returns the lines: features, target, profile and licence.
-pub(super) fn details() -> String {
+pub(in crate::cli) fn details() -> String {
     let features = [
         ("tui", cfg!(feature = "tui")),
         ("pictures", cfg!(feature = "pictures")),

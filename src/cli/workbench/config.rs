@@ -1,8 +1,8 @@
 //! Finds and reads the configuration, and prints the default one.
 
-use super::failure::{Failure, say};
-use super::output::write_text;
-use super::screen::TextScreen;
+use crate::cli::failure::{Failure, say};
+use crate::cli::output::write_text;
+use crate::cli::screen::TextScreen;
 use crate::files::{from_home, places, read_file};
 use crate::scene::MAX_FILE_SIZE;
 use crate::tui::{self, Config};
@@ -11,13 +11,13 @@ use std::io::{self, ErrorKind};
 use std::path::{Path, PathBuf};
 
 /// Runs `krank config`: prints the default configuration.
-pub(super) fn config(screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn config(screen: TextScreen) -> Result<(), Failure> {
     write_text(None, &screen.shown(&tui::template()))
 }
 
 /// Returns the configured language, for messages before the configuration is loaded. Ignores
 /// errors, which `load` reports, and pipes, which can be read only once.
-pub(super) fn language(named: Option<&Path>) -> Option<Language> {
+pub(in crate::cli) fn language(named: Option<&Path>) -> Option<Language> {
     let path = place(named).filter(|path| path.is_file())?;
     let bytes = read_file(&path, MAX_FILE_SIZE).ok()?;
     Config::language_in(str::from_utf8(&bytes).ok()?)
@@ -43,7 +43,7 @@ fn place(named: Option<&Path>) -> Option<PathBuf> {
 
 /// Loads the configuration from the named file or its default path. A missing file is an error only
 /// if it was named.
-pub(super) fn load(named: Option<&Path>) -> Result<Config, Failure> {
+pub(in crate::cli) fn load(named: Option<&Path>) -> Result<Config, Failure> {
     let Some(path) = place(named) else {
         return Ok(Config::default());
     };

@@ -1,13 +1,15 @@
 //! `krank --diagnose`: reports the detected terminal and the reasons, for bug reports about wrong
 //! or missing characters.
 
-use super::args::{LanguageChoice, WorkbenchArgs};
-use super::failure::Failure;
-use super::output::write_text;
-use super::screen::judgement;
-use super::workbench::options;
+use super::args::WorkbenchArgs;
+use super::open::options;
 use crate::capability::{Colours, Detected, PictureChoice, TerminalProfile};
-use crate::drawing::{Blocks, Glyphs};
+use crate::cli::choice::OrAuto;
+use crate::cli::failure::Failure;
+use crate::cli::output::write_text;
+use crate::cli::picture::GLYPHS;
+use crate::cli::screen::judgement;
+use crate::drawing::Glyphs;
 use crate::files::places;
 use crate::scene::sanitized;
 use crate::tui::{Options, Terminal, Theme};
@@ -17,7 +19,10 @@ use std::io::{IsTerminal, stderr, stdin, stdout};
 use std::path::PathBuf;
 
 /// Prints the diagnosis. Works in a pipe and without a terminal.
-pub(super) fn diagnose(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
+pub(in crate::cli) fn diagnose(
+    args: &WorkbenchArgs,
+    language: OrAuto<Language>,
+) -> Result<(), Failure> {
     let (judgement, options) = (judgement(), options(args, language)?);
     let mut rows = Vec::new();
     for (name, value) in judgement.variables() {
@@ -131,14 +136,8 @@ fn wished<T: Copy + PartialEq>(
 }
 
 fn glyphs_name(glyphs: Glyphs) -> &'static str {
-    match glyphs {
-        Glyphs::Ascii => "ascii",
-        Glyphs::Line => "line",
-        Glyphs::Braille => "braille",
-        Glyphs::Blocks(Blocks::Quadrants) => "quadrants",
-        Glyphs::Blocks(Blocks::Sextants) => "sextants",
-        Glyphs::Blocks(Blocks::Octants) => "octants",
-    }
+    let named = GLYPHS.iter().find(|(.., own)| *own == Some(glyphs));
+    named.map_or("", |(name, ..)| name)
 }
 
 /// Returns the path of one of krank's files, with a remark if it does not exist.

@@ -1,16 +1,21 @@
 //! Opens the workbench.
 
-use super::args::{Colour, LanguageChoice, Size, ThemeChoice, USUAL_SCENE, WorkbenchArgs};
+use super::args::{USUAL_SCENE, WorkbenchArgs};
 use super::config;
-use super::failure::Failure;
-use super::output::write_text;
-use super::picture;
-use super::source::{SceneSource, SolvableScene, find, load};
-use crate::tui::{self, Colours, Options, Origin, TaskOrder};
+use crate::cli::choice::OrAuto;
+use crate::cli::failure::Failure;
+use crate::cli::output::write_text;
+use crate::cli::picture::{self, Size};
+use crate::cli::source::{SceneSource, SolvableScene, find, load};
+use crate::tui::{self, Options, Origin, TaskOrder};
+use crate::wording::Language;
 use std::path::Path;
 
 /// Opens a scene in the workbench and returns when the user quits, or prints the initial screen.
-pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(), Failure> {
+pub(in crate::cli) fn open(
+    args: &WorkbenchArgs,
+    language: OrAuto<Language>,
+) -> Result<(), Failure> {
     let options = options(args, language)?;
     let named = args.scene.as_deref();
     let source = find(named.unwrap_or(Path::new(USUAL_SCENE)))?;
@@ -35,7 +40,7 @@ pub(super) fn open(args: &WorkbenchArgs, language: LanguageChoice) -> Result<(),
 }
 
 /// Opens the default scene, with the list of linkages for a task over it.
-pub(super) fn open_task(task: TaskOrder) -> Result<(), Failure> {
+pub(in crate::cli) fn open_task(task: TaskOrder) -> Result<(), Failure> {
     let config = config::load(None)?;
     let options = Options {
         glyphs: config.glyphs,
@@ -68,40 +73,24 @@ fn run(opened: tui::Opened, options: &Options) -> Result<(), Failure> {
 }
 
 /// Merges the options of the command line with the configuration; the former take precedence.
-pub(super) fn options(args: &WorkbenchArgs, language: LanguageChoice) -> Result<Options, Failure> {
+pub(in crate::cli) fn options(
+    args: &WorkbenchArgs,
+    language: OrAuto<Language>,
+) -> Result<Options, Failure> {
     let config = config::load(args.config.as_deref())?;
     // A configuration from a pipe was not read before, so its language is not yet selected.
-    if let (None, Some(language)) = (language.asked(), config.language) {
+    if let (None, Some(language)) = (language, config.language) {
         language.speak();
     }
     Ok(Options {
         at: args.at.map(|at| at.value()),
-        glyphs: args.glyphs.asked().or(config.glyphs),
-        colours: colours(args.colour).or(config.colours),
-        theme: args.theme.map_or(config.theme, theme),
+        glyphs: args.glyphs.or(config.glyphs),
+        colours: args.colour.or(config.colours),
+        theme: args.theme.unwrap_or(config.theme),
         picture: args.picture.unwrap_or(config.picture),
         view: args.view,
         task: None,
         config,
         idle: args.scene.is_none() && args.at.is_none() && args.assembly.wishes.is_empty(),
     })
-}
-
-fn theme(wish: ThemeChoice) -> tui::Theme {
-    match wish {
-        ThemeChoice::Auto => tui::Theme::Auto,
-        ThemeChoice::Light => tui::Theme::Light,
-        ThemeChoice::Dark => tui::Theme::Dark,
-        ThemeChoice::Plain => tui::Theme::Plain,
-    }
-}
-
-fn colours(wish: Colour) -> Option<Colours> {
-    match wish {
-        Colour::Auto => None,
-        Colour::None => Some(Colours::None),
-        Colour::Palette => Some(Colours::Sixteen),
-        Colour::Indexed => Some(Colours::Indexed),
-        Colour::True => Some(Colours::True),
-    }
 }

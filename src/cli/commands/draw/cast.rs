@@ -3,9 +3,8 @@
 
 use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
-use crate::cli::args::Size;
 use crate::cli::failure::Failure;
-use crate::cli::picture::{USUAL, lettered};
+use crate::cli::picture::{Size, USUAL, lettered};
 use crate::drawing::{self, CharCell, Glyphs, Hue, LegendPiece, Raster, Role, WorldView, is_bold};
 use crate::scene::sanitized;
 use crate::wording::Words;
@@ -26,7 +25,7 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
     let mut cast =
         format!("{{\"version\": 2, \"width\": {cols}, \"height\": {rows}, \"title\": {title}}}\n");
     // The player's terminal has its own fonts, so the environment of this one is irrelevant.
-    let glyphs = drawn.args.glyphs.asked().unwrap_or(Glyphs::Braille);
+    let glyphs = drawn.args.glyphs.unwrap_or(Glyphs::Braille);
     let legend_of = |view: &WorldView| {
         let entries = drawn.overlay.legend(view, 1.0);
         drawing::legend_lines(&entries, glyphs, usize::from(cols), MAX_LEGEND)

@@ -1,9 +1,8 @@
 //! Lists the drawing formats; each has its own file.
 
-use super::DrawnScene;
-use crate::cli::args::{DrawArgs, NamesChoice};
+use super::{DrawArgs, DrawnScene, NamesChoice};
 use crate::cli::failure::Failure;
-use crate::wording::{Wording, words};
+use crate::wording::Wording;
 
 /// A drawing format.
 #[derive(Debug)]
@@ -38,41 +37,14 @@ pub(super) enum FormatOption {
     NoGuides,
 }
 
-/// All formats, in the order of the help.
-pub(in crate::cli) static FORMATS: [&DrawFormat; 6] = [
-    &super::text::FORMAT,
-    &super::svg::FORMAT,
-    &super::dxf::FORMAT,
-    &super::png::FORMAT,
-    &super::gif::FORMAT,
-    &super::cast::FORMAT,
-];
-
 impl DrawFormat {
-    /// Returns an error if the command line has an option that this format does not support.
-    pub(super) fn check(&self, args: &DrawArgs) -> Result<(), Failure> {
-        let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
-        match asked.find(|option| !self.takes_it(*option)) {
-            None => Ok(()),
-            Some(option) => {
-                let others = FORMATS.iter().filter(|f| f.takes_it(option));
-                let others: Vec<&str> = others.map(|format| format.name).collect();
-                Err(Failure::Usage(words().format_takes_no(
-                    self.name,
-                    option.name(),
-                    &others.join(", "),
-                )))
-            }
-        }
-    }
-
-    fn takes_it(&self, option: FormatOption) -> bool {
+    pub(super) fn takes_it(&self, option: FormatOption) -> bool {
         self.takes.contains(&option) || self.is_picture && option.only_shows()
     }
 }
 
 impl FormatOption {
-    const ALL: [FormatOption; 13] = [
+    pub(super) const ALL: [FormatOption; 13] = [
         FormatOption::Glyphs,
         FormatOption::Width,
         FormatOption::Dark,
@@ -101,7 +73,7 @@ impl FormatOption {
         )
     }
 
-    fn name(self) -> &'static str {
+    pub(super) fn name(self) -> &'static str {
         match self {
             FormatOption::Glyphs => "--glyphs",
             FormatOption::Width => "--width",
@@ -119,9 +91,9 @@ impl FormatOption {
         }
     }
 
-    fn is_asked(self, args: &DrawArgs) -> bool {
+    pub(super) fn is_asked(self, args: &DrawArgs) -> bool {
         match self {
-            FormatOption::Glyphs => args.glyphs.asked().is_some(),
+            FormatOption::Glyphs => args.glyphs.is_some(),
             FormatOption::Width => args.width.is_some(),
             FormatOption::Dark => args.dark,
             FormatOption::Seconds => args.seconds.is_some(),

@@ -10,16 +10,13 @@ mod svg;
 mod text;
 mod turn;
 
-use format::FormatOption;
-pub(in crate::cli) use format::{DrawFormat, FORMATS};
-
-use super::args::{DrawArgs, NamesChoice, Size};
-use super::commands::{nothing_hidden, out_of_reach, place};
-use super::failure::{Failure, note};
-use super::output::{goes_to_terminal, write_to};
-use super::picture::ASPECT;
-use super::screen::TextScreen;
-use super::source::SolvableScene;
+use crate::cli::choice::{OrAuto, one_of};
+use crate::cli::failure::{Failure, note};
+use crate::cli::output::{OutputArgs, goes_to_terminal, write_to};
+use crate::cli::picture::{ASPECT, GLYPHS, Size};
+use crate::cli::place::{PlaceArgs, nothing_hidden, out_of_reach, place};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::drawing::{
     self, Glyphs, Labels, Layers, Overlay, Raster, Reach, SvgGround, Wanted, WorldView,
 };
@@ -29,6 +26,129 @@ use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::wording::words;
 use crate::{Mechanism, PointId};
+use clap::builder::PossibleValue;
+use clap::{Args, ValueEnum};
+use format::{DrawFormat, FormatOption};
+use std::str::FromStr;
+
+/// The scale of a drawing on paper: `1:2` is half as large as the linkage.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct PaperScale(f64);
+
+impl PaperScale {
+    /// Returns the ratio of lengths on paper to lengths of the linkage.
+    fn factor(self) -> f64 {
+        self.0
+    }
+}
+
+impl FromStr for PaperScale {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(':');
+        let side = |text: &str| {
+            text.trim()
+                .parse()
+                .ok()
+                .filter(|n: &f64| n.is_normal() && *n > 0.0)
+        };
+        let factor = sides.and_then(|(paper, linkage)| Some(side(paper)? / side(linkage)?));
+        let factor = factor.filter(|factor| (1.0 / MAX_SCALE..=MAX_SCALE).contains(factor));
+        factor
+            .map(PaperScale)
+            .ok_or_else(|| words().scale_is_meant(MAX_SCALE))
+    }
+}
+
+/// Maximum enlargement and reduction: the scales of ISO 5455 end at 1:10000.
+const MAX_SCALE: f64 = 10_000.0;
+
+/// Maximum number of ghosts; more would hide each other.
+const MAX_GHOSTS: i64 = 360;
+
+/// Maximum width of an image, in pixels; screens are not wider.
+const MAX_PIXELS: i64 = 8192;
+/// Maximum duration of a turn, in seconds; nobody watches it for longer.
+const MAX_SECONDS: i64 = 60;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct DrawArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().trace_points())]
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    traces: Option<Vec<String>>,
+    #[arg(help = words().draw_velocities())]
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    velocities: Option<Vec<String>>,
+    #[arg(help = words().draw_accelerations())]
+    #[arg(long, value_name = "POINTS", value_delimiter = ',', num_args = 0..=1)]
+    accelerations: Option<Vec<String>>,
+    #[arg(help = words().draw_forces())]
+    #[arg(long)]
+    forces: bool,
+    #[arg(help = words().draw_ghosts())]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(0..=MAX_GHOSTS))]
+    ghosts: u16,
+    #[arg(help = words().names_to_write())]
+    #[arg(long, value_enum, default_value_t)]
+    names: NamesChoice,
+    #[arg(help = words().mark_centres())]
+    #[arg(long)]
+    centres: bool,
+    #[arg(help = words().leave_guides_out())]
+    #[arg(long)]
+    no_guides: bool,
+    #[arg(help = words().characters_to_draw_with())]
+    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    glyphs: OrAuto<Glyphs>,
+    #[arg(help = words().size_of_drawing())]
+    #[arg(long, value_name = "COLSxROWS")]
+    size: Option<Size>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value = "text")]
+    format: &'static DrawFormat,
+    #[arg(help = words().scale_on_paper())]
+    #[arg(long, value_name = "PAPER:LINKAGE")]
+    scale: Option<PaperScale>,
+    #[arg(help = words().width_in_pixels())]
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u16).range(16..=MAX_PIXELS))]
+    width: Option<u16>,
+    #[arg(help = words().on_a_dark_ground())]
+    #[arg(long)]
+    dark: bool,
+    #[arg(help = words().seconds_of_turn())]
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u16).range(1..=MAX_SECONDS))]
+    seconds: Option<u16>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// The values of `--format` are the names and descriptions of the formats.
+impl ValueEnum for &'static DrawFormat {
+    fn value_variants<'a>() -> &'a [Self] {
+        &FORMATS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        Some(PossibleValue::new(self.name).help((self.about)(words())))
+    }
+}
+
+/// The names in a drawing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+enum NamesChoice {
+    #[value(help = words().names_none())]
+    None,
+    #[value(help = words().names_of_points_alone())]
+    #[default]
+    Points,
+    #[value(help = words().names_all())]
+    All,
+}
 
 /// Columns of a document, and its maximum number of rows.
 const DOCUMENT_COLUMNS: u16 = 100;
@@ -36,8 +156,8 @@ const DOCUMENT_ROWS: u16 = 50;
 /// Maximum number of lines of a legend.
 const MAX_LEGEND: usize = 2;
 
-pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
-    args.format.check(args)?;
+pub(in crate::cli) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
+    check_options(args)?;
     if args.format.is_binary && goes_to_terminal(args.output.output.as_deref()) {
         return Err(Failure::Usage(words().no_text(args.format.name)));
     }
@@ -61,6 +181,33 @@ pub(super) fn draw(args: &DrawArgs, screen: TextScreen) -> Result<(), Failure> {
     let bytes = (args.format.write)(&drawn)?;
     write_to(args.output.output.as_deref(), |out| out.write_all(&bytes))?;
     nothing_hidden(&scene, &state)
+}
+
+/// All formats, in the order of the help.
+static FORMATS: [&DrawFormat; 6] = [
+    &text::FORMAT,
+    &svg::FORMAT,
+    &dxf::FORMAT,
+    &png::FORMAT,
+    &gif::FORMAT,
+    &cast::FORMAT,
+];
+
+/// Returns an error if the command line has an option that its format does not support.
+fn check_options(args: &DrawArgs) -> Result<(), Failure> {
+    let mut asked = FormatOption::ALL.into_iter().filter(|o| o.is_asked(args));
+    match asked.find(|option| !args.format.takes_it(*option)) {
+        None => Ok(()),
+        Some(option) => {
+            let others = FORMATS.iter().filter(|f| f.takes_it(option));
+            let others: Vec<&str> = others.map(|format| format.name).collect();
+            Err(Failure::Usage(words().format_takes_no(
+                args.format.name,
+                option.name(),
+                &others.join(", "),
+            )))
+        }
+    }
 }
 
 /// A scene with everything needed to draw it at any driver coordinate.

@@ -1,12 +1,13 @@
 //! Writes a drawing as an SVG document.
 
 use super::{DrawFormat, DrawnScene, FormatOption};
-use crate::cli::args::Size;
 use crate::cli::failure::Failure;
+use crate::cli::picture::Size;
 use crate::drawing::{self, Labels, WorldView};
 use crate::pixels::PaintError;
 use crate::scene::Unit;
 use crate::wording::Words;
+
 #[cfg(feature = "pictures")]
 use crate::wording::words;
 

@@ -1,9 +1,8 @@
 //! Writes a drawing in characters.
 
 use super::{DrawFormat, DrawnScene, FormatOption, MAX_LEGEND};
-use crate::cli::args::Size;
 use crate::cli::failure::Failure;
-use crate::cli::picture::{self, lettered};
+use crate::cli::picture::{self, Size, lettered};
 use crate::drawing::{self, WorldView};
 use crate::wording::Words;
 

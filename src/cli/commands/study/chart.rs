@@ -1,14 +1,13 @@
 //! Draws the chart of a study: curves over one value, maps over two.
 
-use super::args::{Size, StudyArgs, StudyFormat};
-use super::failure::{Failure, note};
-use super::output::{goes_to_terminal, write_text};
-use super::picture::{self, ASPECT};
-use super::plot::{CHARACTER, SVG};
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::study::{ReadyStudy, judge};
+use super::{ReadyStudy, StudyArgs, StudyFormat, judge};
 use crate::Vec2;
+use crate::cli::commands::plot::{CHARACTER, SVG};
+use crate::cli::failure::{Failure, note};
+use crate::cli::output::{goes_to_terminal, write_text};
+use crate::cli::picture::{self, ASPECT, Size};
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
 use crate::drawing::plot::{GridMap, Plot, PlotStyle};
 use crate::report::{DesignSummary, DesignTable, RowColumn};
 use crate::wording::words;

@@ -1,12 +1,17 @@
 //! `krank study`: computes values of many designs of a scene, as rows or as a chart.
 
-use super::args::{OutputFormat, StudyArgs, StudyFormat};
-use super::failure::{Failure, note};
-use super::output::{self, goes_to_terminal, write_to};
-use super::progress::Progress;
-use super::screen::TextScreen;
-use super::source::SolvableScene;
-use super::study_rows;
+mod chart;
+mod rows;
+
+use crate::cli::choice::{OrAuto, one_of};
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{CsvArgs, OutputFormat, positive};
+use crate::cli::output::{self, OutputArgs, goes_to_terminal, write_to};
+use crate::cli::picture::{GLYPHS, Size};
+use crate::cli::progress::Progress;
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::drawing::Glyphs;
 use crate::files::{AppendFile, Output, ResumableFile, WriteError};
 use crate::parallel;
 use crate::quantity::Catalogue;
@@ -15,9 +20,116 @@ use crate::study::{
     CycleFigure, DesignFigures, DesignPlan, DesignRow, DesignRun, DesignSpace, PlanAxis,
 };
 use crate::wording::words;
+use clap::{Args, ValueEnum};
 use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
+use std::str::FromStr;
+
+/// How designs are written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum StudyFormat {
+    #[value(help = words().format_text())]
+    Text,
+    #[value(help = words().format_csv())]
+    Csv,
+    #[value(help = words().format_json())]
+    Json,
+    #[value(help = words().format_chart())]
+    Chart,
+    #[value(help = words().format_svg())]
+    Svg,
+}
+
+/// A part of a study, such as `1/4`; parts are counted from 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::cli) struct StudyPart {
+    number: u64,
+    of: u64,
+}
+
+impl StudyPart {
+    /// Returns the range of the part's designs. Each of the `count` designs belongs to exactly one part.
+    fn of(self, count: u64) -> Range<u64> {
+        let end = |part: u64| {
+            let end = u128::from(count) * u128::from(part) / u128::from(self.of);
+            u64::try_from(end).unwrap_or(count)
+        };
+        end(self.number - 1)..end(self.number)
+    }
+}
+
+impl FromStr for StudyPart {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.trim().parse::<u64>().ok().filter(|&n| n > 0);
+        let part = text.split_once('/').and_then(|(part, of)| {
+            let (number, of) = (number(part)?, number(of)?);
+            (number <= of).then_some(StudyPart { number, of })
+        });
+        part.ok_or_else(|| words().no_part(text))
+    }
+}
+
+/// Maximum number of threads, more than any machine has.
+const MAX_THREADS: i64 = 1024;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct StudyArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().values_of_study())]
+    #[arg(long, value_name = "AXES", required = true, value_delimiter = ',')]
+    vary: Vec<String>,
+    #[arg(help = words().columns_of_study())]
+    #[arg(long, value_name = "FIGURES", required = true, value_delimiter = ',')]
+    columns: Vec<String>,
+    #[arg(help = words().designs_of_hypercube())]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    latin: Option<u32>,
+    #[arg(help = words().seed_of_hypercube())]
+    #[arg(long, value_name = "N", default_value_t = 1, requires = "latin")]
+    seed: u64,
+    #[arg(help = words().dwell_of_cycle())]
+    #[arg(long, value_name = "SIZE", value_parser = positive, allow_negative_numbers = true)]
+    dwell: Option<f64>,
+    #[arg(help = words().part_of_study())]
+    #[arg(long, value_name = "K/N")]
+    part: Option<StudyPart>,
+    #[arg(help = words().resume_study())]
+    #[arg(long, requires = "output")]
+    resume: bool,
+    #[arg(help = words().threads_of_study())]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=MAX_THREADS))]
+    threads: Option<u16>,
+    #[arg(help = words().how_to_write_study())]
+    #[arg(long, value_enum, default_value_t = StudyFormat::Csv)]
+    format: StudyFormat,
+    #[arg(help = words().digits_of_tables())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    digits: u8,
+    #[command(flatten)]
+    csv: CsvArgs,
+    #[arg(help = words().leave_units_out())]
+    #[arg(long)]
+    no_units: bool,
+    #[arg(help = words().size_of_chart())]
+    #[arg(long, value_name = "COLSxROWS")]
+    size: Option<Size>,
+    #[arg(help = words().characters_to_draw_with())]
+    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    glyphs: OrAuto<Glyphs>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+impl StudyArgs {
+    /// Returns `true` if the output is a picture.
+    fn is_drawn(&self) -> bool {
+        matches!(self.format, StudyFormat::Chart | StudyFormat::Svg)
+    }
+}
 
 /// A parsed study: its plan and its quantities.
 pub(super) struct ReadyStudy {
@@ -37,7 +149,7 @@ struct StudyRows<'a> {
     progress: Progress,
 }
 
-pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure> {
+pub(in crate::cli) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure> {
     let format = match args.format {
         StudyFormat::Csv => OutputFormat::Csv,
         StudyFormat::Json => OutputFormat::Json,
@@ -56,7 +168,7 @@ pub(super) fn study(args: &StudyArgs, screen: TextScreen) -> Result<(), Failure>
         None => 0..ready.plan.count(),
     };
     if args.is_drawn() {
-        return super::study_chart::draw(args, &ready, &table, screen);
+        return chart::draw(args, &ready, &table, screen);
     }
     let path = output::file(args.output.output.as_deref());
     let rows = match path.filter(|path| grows(args, path)) {
@@ -220,7 +332,7 @@ fn resumed(
             return Err(other(number + 2));
         }
     }
-    study_rows::verify(ready, table, designs.start, path, grown.lines)?;
+    rows::verify(ready, table, designs.start, path, grown.lines)?;
     let done = grown.lines;
     note(&words().file_goes_on(&shown, done, all), screen);
     Ok((grown.go_on().map_err(failed)?, done))
@@ -267,4 +379,26 @@ pub(super) fn judge(
         );
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_have_every_design_once() {
+        for (count, of) in [(1_000_000, 64_u64), (5, 7), (63, 3), (0, 2)] {
+            let mut next = 0;
+            for k in 1..=of {
+                let part: StudyPart = format!("{k}/{of}").parse().unwrap();
+                let designs = part.of(count);
+                assert_eq!(designs.start, next);
+                next = designs.end;
+            }
+            assert_eq!(next, count);
+        }
+        for text in ["0/3", "4/3", "1", "1/0", "a/b", "-1/3"] {
+            assert!(text.parse::<StudyPart>().is_err(), "{text}");
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Verifies the rows of a file that a study resumes: computes rows again and compares their bytes.
 
-use super::failure::Failure;
-use super::study::ReadyStudy;
+use super::ReadyStudy;
+use crate::cli::failure::Failure;
 use crate::report::DesignTable;
 use crate::wording::words;
 use std::fs::File;
