@@ -1,8 +1,8 @@
 //! Summarizes a linkage during design: range of motion, class, and worst transmission angle.
 
 use super::check::{TimedMotion, loop_name, stop_name};
-use super::number::concise;
 use crate::quantity::Catalogue;
+use crate::report::text::number::concise;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver, Transmission};
 use crate::wording::words;

@@ -1,7 +1,7 @@
 //! Facts on the driver, and on the inputs that follow it.
 
 use super::{CheckedScene, Fact};
-use crate::report::number::concise;
+use crate::report::text::number::concise;
 use crate::scene::Scene;
 use crate::solver::Range;
 use crate::wording::words;

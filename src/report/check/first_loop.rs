@@ -2,7 +2,7 @@
 //! slider-crank.
 
 use super::{CheckedScene, Fact, PLACES};
-use crate::report::number::concise;
+use crate::report::text::number::concise;
 use crate::solver::{DrivenLoop, Grashof, Inversion};
 use crate::wording::{Words, english_words, words};
 use serde_json::json;

@@ -2,7 +2,7 @@
 
 use super::{CheckedScene, Fact};
 use crate::report::forces::indeterminate;
-use crate::report::places::place_text;
+use crate::report::text::places::place_text;
 use crate::solver::Range;
 use crate::study::motor;
 use crate::wording::words;

@@ -2,7 +2,7 @@
 
 use super::{CheckedScene, Fact};
 use crate::assembly::pick_text;
-use crate::report::number::concise;
+use crate::report::text::number::concise;
 use crate::solver::{Assemblies, Choice, Group, GroupId, GroupKind, Pick};
 use crate::wording::words;
 use serde_json::{Map, Value, json};

@@ -2,7 +2,7 @@
 
 use super::{CheckedScene, Fact, PLACES, stop_name};
 use crate::quantity::{Catalogue, MotionOutOfRange};
-use crate::report::number::concise;
+use crate::report::text::number::concise;
 use crate::scene::Scene;
 use crate::wording::words;
 use crate::{Input, LimitOf, MotionLaw, MotionPeaks, StepLaw, TimedStep};

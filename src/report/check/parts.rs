@@ -1,7 +1,7 @@
 //! Facts on parameters, links, joints, slides and mobility.
 
 use super::{CheckedScene, Fact, PLACES};
-use crate::report::number::{concise, significant};
+use crate::report::text::number::{concise, significant};
 use crate::solver::{Order, Redundancy};
 use crate::wording::words;
 use crate::{Body, PointId, SlideId, Slider, angle};

@@ -1,8 +1,8 @@
 //! Facts on transmission angles, the condition of coupled groups, and strokes.
 
 use super::{CheckedScene, Fact};
-use crate::report::cycle_report::{CycleReport, conditions};
-use crate::report::places::place;
+use crate::report::cycle::{CycleReport, conditions};
+use crate::report::text::places::place;
 use crate::solver::Extreme;
 use crate::wording::words;
 use serde_json::json;

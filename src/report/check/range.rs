@@ -2,8 +2,8 @@
 
 use super::{CheckedScene, Fact, PLACES};
 use crate::quantity::Catalogue;
-use crate::report::number::concise;
-use crate::report::places::{DECIMALS, errors_text, limit_text, range_text};
+use crate::report::text::number::concise;
+use crate::report::text::places::{DECIMALS, errors_text, limit_text, range_text};
 use crate::scene::Scene;
 use crate::solver::{Range, Solver};
 use crate::wording::words;

@@ -1,8 +1,8 @@
 //! Facts on the stops at which a motion ends.
 
 use super::{CheckedScene, Fact};
-use crate::report::number::concise;
-use crate::report::places::limit_text;
+use crate::report::text::number::concise;
+use crate::report::text::places::limit_text;
 use crate::scene::Scene;
 use crate::solver::{EndStop, Solver};
 use crate::wording::words;

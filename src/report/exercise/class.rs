@@ -3,7 +3,7 @@
 use super::blank::InvalidCell;
 use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
 use crate::page::{Page, Table};
-use crate::report::csv_dialect::{CsvDialect, CsvSheet};
+use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};
 use crate::scene::sanitized;
 use crate::study::FigureVerdict;
 use crate::wording::words;

@@ -3,8 +3,8 @@
 use super::blank::{AnswerFile, InvalidCell};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
-use crate::report::number::{direction, significant};
-use crate::report::text_encoding::TextEncoding;
+use crate::report::text::encoding::TextEncoding;
+use crate::report::text::number::{direction, significant};
 use crate::study::{AnswerKey, FigureVerdict, MisreadValue, RoundedEarly, SheetScene};
 use crate::wording::words;
 use std::path::Path;

@@ -26,8 +26,8 @@ const SAID: [&[&str]; 15] = [
 /// Files in those modules with texts outside the catalogue.
 const OTHERS: [&[&str]; 15] = [
     // Commands for a shell.
-    &["cli", "completions"],
-    &["cli", "pager"],
+    &["cli", "help", "completions"],
+    &["cli", "help", "pager"],
     // Messages between derived implementations only.
     &["document", "lenient"],
     &["scene", "limits"],
