@@ -26,13 +26,10 @@ use crate::scene::sanitized;
 use crate::wording::{Language, words};
 use choice::{OrAuto, one_of};
 use clap::error::ErrorKind;
-use clap::{Arg, ArgAction, CommandFactory, Parser, Subcommand};
-use commands::{
-    accuracy, check, cycle, draw, exercise, explain, export, grade, motor, plot, report, solve,
-    study, sweep, synthesize, table, tolerance,
-};
+use clap::{Arg, ArgAction, CommandFactory, Parser};
+use commands::Command;
 use failure::Failure;
-use help::{completions, man, misuse, version};
+use help::{misuse, version};
 use language::LANGUAGES;
 use screen::TextScreen;
 use std::ffi::OsString;
@@ -75,63 +72,6 @@ struct Cli {
     #[arg(help = words().language_to_speak())]
     #[arg(long, global = true, value_parser = one_of(&LANGUAGES), default_value = "auto")]
     language: OrAuto<Language>,
-}
-
-#[derive(Debug, Subcommand)]
-enum Command {
-    #[command(about = words().does_list(), after_help = words().examples_of_list())]
-    List,
-    #[command(about = words().does_check(), after_help = words().examples_of_check())]
-    Check(check::CheckArgs),
-    #[command(about = words().does_table(), after_help = words().examples_of_table())]
-    Table(table::TableArgs),
-    #[command(about = words().does_explain(), after_help = words().examples_of_explain())]
-    Explain(explain::ExplainArgs),
-    #[command(about = words().does_report(), after_help = words().examples_of_report())]
-    Report(report::ReportArgs),
-    #[command(about = words().does_exercise(), after_help = words().examples_of_exercise())]
-    Exercise(exercise::ExerciseArgs),
-    #[command(about = words().does_grade(), after_help = words().examples_of_grade())]
-    Grade(grade::GradeArgs),
-    #[command(about = words().does_draw(), after_help = words().examples_of_draw())]
-    Draw(draw::DrawArgs),
-    #[command(about = words().does_sweep(), after_help = words().examples_of_sweep())]
-    Sweep(sweep::SweepArgs),
-    #[command(about = words().does_plot(), after_help = words().examples_of_plot())]
-    Plot(plot::PlotArgs),
-    #[command(about = words().does_cycle(), after_help = words().examples_of_cycle())]
-    Cycle(cycle::CycleArgs),
-    #[command(about = words().does_export(), after_help = words().examples_of_export())]
-    Export(export::ExportArgs),
-    #[command(about = words().does_study(), after_help = words().examples_of_study())]
-    Study(study::StudyArgs),
-    #[command(about = words().does_motor(), after_help = words().examples_of_motor())]
-    Motor(motor::MotorArgs),
-    #[command(about = words().does_solve(), after_help = words().examples_of_solve())]
-    Solve(solve::SolveArgs),
-    #[command(about = words().does_synthesize(), after_help = words().examples_of_synthesize())]
-    Synthesize(synthesize::SynthesizeArgs),
-    #[command(about = words().does_tolerance(), after_help = words().examples_of_tolerance())]
-    Tolerance(tolerance::ToleranceArgs),
-    #[command(about = words().does_start(), after_help = words().examples_of_start())]
-    Start(check::StartArgs),
-    #[command(about = words().does_accuracy(), after_help = words().examples_of_accuracy())]
-    Accuracy(accuracy::AccuracyArgs),
-    #[cfg(feature = "tui")]
-    #[command(about = words().does_config(), after_help = words().examples_of_config())]
-    Config,
-    #[command(about = words().does_help(), after_help = words().examples_of_help())]
-    Help(help::HelpArgs),
-    #[command(hide = true, about = words().does_completions(), after_help = words().examples_of_completions())]
-    Completions {
-        #[arg(help = words().the_shell())]
-        shell: completions::CompletionShell,
-    },
-    #[command(hide = true, about = words().does_man(), after_help = words().examples_of_man())]
-    Man {
-        #[arg(help = words().command_of_page())]
-        command: Option<String>,
-    },
 }
 
 /// Runs the program with these arguments, its own name first. Results go to standard output,
@@ -212,31 +152,6 @@ fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
         #[cfg(feature = "tui")]
         None if cli.workbench.diagnose => workbench::diagnose(&cli.workbench, cli.language),
         None => workbench::open(&cli.workbench, cli.language),
-        Some(Command::List) => check::list(screen),
-        Some(Command::Check(args)) => check::check(args, screen),
-        Some(Command::Table(args)) => table::table(args, screen),
-        Some(Command::Explain(args)) => explain::explain(args, screen),
-        Some(Command::Report(args)) => report::report(args, screen),
-        Some(Command::Exercise(args)) => exercise::exercise(args, screen),
-        Some(Command::Grade(args)) => grade::grade(args, screen),
-        Some(Command::Draw(args)) => draw::draw(args, screen),
-        Some(Command::Sweep(args)) => sweep::sweep(args, screen),
-        Some(Command::Plot(args)) => plot::plot(args, screen),
-        Some(Command::Solve(args)) => solve::solve(args, screen),
-        Some(Command::Synthesize(args)) => synthesize::synthesize(args, screen),
-        Some(Command::Start(args)) => check::start(args),
-        Some(Command::Cycle(args)) => cycle::cycle(args, screen),
-        Some(Command::Export(args)) => export::export(args, screen),
-        Some(Command::Tolerance(args)) => tolerance::tolerance(args, screen),
-        Some(Command::Study(args)) => study::study(args, screen),
-        Some(Command::Motor(args)) => motor::motor(args, screen),
-        Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
-        #[cfg(feature = "tui")]
-        Some(Command::Config) => workbench::config(screen),
-        Some(Command::Help(args)) => help::help(args, &Cli::command()),
-        Some(Command::Completions { shell }) => {
-            completions::completions(*shell, &Cli::command(), screen)
-        }
-        Some(Command::Man { command }) => man::man(&mut Cli::command(), command.as_deref(), screen),
+        Some(command) => command.run(screen, Cli::command),
     }
 }
