@@ -112,6 +112,9 @@ struct Property {
     bound: Option<f64>,
 }
 
+/// Returns the value of a property, its place and its bound.
+type FindProperty<'f> = &'f dyn Fn(&Excursion) -> Result<(f64, Option<f64>, Option<f64>), NoFigure>;
+
 impl CycleReport {
     /// Analyses these columns, or those of [`usual_columns`]; `tolerance` is that of dwells.
     #[must_use]
@@ -310,48 +313,34 @@ impl CycleReport {
 
     /// Returns the properties of a value, or the reasons why they are missing.
     fn properties(&self, figure: &FollowedFigure) -> Vec<Property> {
-        let FollowedFigure {
-            quantity,
-            excursion,
-            ..
-        } = figure;
-        let unit = &quantity.unit;
+        let unit = &figure.quantity.unit;
         let rate = rate_unit(unit);
-        let placed = |name: &str, unit: &str, place: Result<FigurePlace, NoFigure>| Property {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            value: place.map(|place| place.value),
-            at: place.ok().map(|place| place.at),
-            bound: None,
-        };
-        let bounded = |name: &str, place: Result<FigurePlace, NoFigure>| Property {
-            bound: place.ok().and_then(|place| figure.bound_at(place.at)),
-            ..placed(name, unit, place)
-        };
-        let plain = |name: &str, unit: &str, value: Result<f64, NoFigure>| Property {
-            name: name.to_owned(),
-            unit: unit.to_owned(),
-            value,
-            at: None,
-            bound: None,
-        };
-        let of = |find: &dyn Fn(&Excursion) -> Result<FigurePlace, NoFigure>| {
-            excursion.as_ref().map_err(|&why| why).and_then(find)
-        };
-        let number = |find: &dyn Fn(&Excursion) -> Result<f64, NoFigure>| {
-            excursion.as_ref().map_err(|&why| why).and_then(find)
+        let alone = |value| (value, None, None);
+        let placed = |place: FigurePlace| (place.value, Some(place.at), None);
+        let bounded = |place: FigurePlace| (place.value, Some(place.at), figure.bound_at(place.at));
+        let row = |name: &str, unit: &str, find: FindProperty<'_>| {
+            let found = figure.excursion.as_ref().map_err(|&why| why).and_then(find);
+            let (at, bound) = found.map_or((None, None), |(_, at, bound)| (at, bound));
+            Property {
+                name: name.to_owned(),
+                unit: unit.to_owned(),
+                value: found.map(|(value, ..)| value),
+                at,
+                bound,
+            }
         };
         vec![
-            Property {
-                bound: excursion.as_ref().ok().and_then(|e| figure.stroke_bound(e)),
-                ..plain("stroke", unit, number(&Excursion::stroke))
-            },
-            bounded("least", of(&|e| e.stroke().map(|_| e.least))),
-            bounded("greatest", of(&|e| e.stroke().map(|_| e.greatest))),
-            plain("ratio", "", number(&|e| e.ratio.map(|r| r.value))),
-            plain("dwell", &self.driver.unit, number(&longest_dwell)),
-            placed("fastest", &rate, of(&|e| e.fastest)),
-            placed("hardest", &rate_unit(&rate), of(&|e| e.hardest)),
+            row("stroke", unit, &|e| {
+                Ok((e.stroke()?, None, figure.stroke_bound(e)))
+            }),
+            row("least", unit, &|e| e.stroke().map(|_| bounded(e.least))),
+            row("greatest", unit, &|e| {
+                e.stroke().map(|_| bounded(e.greatest))
+            }),
+            row("ratio", "", &|e| Ok(alone(e.ratio?.value))),
+            row("dwell", &self.driver.unit, &|e| longest_dwell(e).map(alone)),
+            row("fastest", &rate, &|e| e.fastest.map(placed)),
+            row("hardest", &rate_unit(&rate), &|e| e.hardest.map(placed)),
         ]
     }
 

@@ -113,37 +113,12 @@ impl GoalReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let heads = std::iter::once(words().given_design().to_owned()).chain(self.heads());
-        let mut table = Table::new("", heads);
-        for (i, value) in self.space.values().iter().enumerate() {
-            let numbers = self
-                .told()
-                .take(MAX_SHOWN)
-                .map(|found| trimmed(found.numbers[i], FINE));
-            let given = concise(value.number, FINE);
-            table.row(
-                self.name(i),
-                std::iter::once(given).chain(numbers).map(Cell::sure),
-            );
-        }
-        for (i, goal) in self.goals.iter().enumerate() {
-            let figures = self
-                .told()
-                .take(MAX_SHOWN)
-                .map(|found| figure(found.figures.get(i)));
-            let given = figure(self.given.as_ref().and_then(|given| given.get(i)));
-            table.row(
-                titled(&goal.figure),
-                std::iter::once(given).chain(figures).map(Cell::sure),
-            );
-        }
-        table
-    }
-
-    /// Returns the name of a varied value as on the command line, with its unit.
-    fn name(&self, value: usize) -> String {
-        let value = &self.space.values()[value];
-        with_unit(&value.dotted(), &value.shown_unit())
+        let heads = self.heads();
+        let heads = heads.iter().map(String::as_str);
+        let designs = self.told().take(MAX_SHOWN);
+        let designs = designs.map(|found| (&*found.numbers, &*found.figures));
+        let asked = self.goals.iter().map(|goal| &goal.figure);
+        table(self.space, self.given.as_deref(), asked, heads.zip(designs))
     }
 
     /// Returns the whole result for programs.
@@ -195,6 +170,35 @@ fn lacks<'f>(
         Some((figure.name().to_owned(), figure_reason(why, &driver, told)))
     });
     lacks.collect()
+}
+
+/// The varied numbers of a design, and the requested values.
+type ShownDesign<'d> = (&'d [f64], &'d [Result<f64, NoFigure>]);
+
+/// Returns a table with the given design and others: the varied numbers, then the requested values.
+fn table<'d>(
+    space: &DesignSpace,
+    given: Option<&[Result<f64, NoFigure>]>,
+    asked: impl Iterator<Item = &'d CycleFigure>,
+    others: impl IntoIterator<Item = (&'d str, ShownDesign<'d>)>,
+) -> Table {
+    let (heads, designs): (Vec<&str>, Vec<ShownDesign<'_>>) = others.into_iter().unzip();
+    let mut table = Table::new("", [words().given_design()].into_iter().chain(heads));
+    for (i, value) in space.values().iter().enumerate() {
+        let numbers = designs.iter().map(|(numbers, _)| trimmed(numbers[i], FINE));
+        let cells = [concise(value.number, FINE)].into_iter().chain(numbers);
+        let name = with_unit(&value.dotted(), &value.shown_unit());
+        table.row(name, cells.map(Cell::sure));
+    }
+    for (i, asked) in asked.enumerate() {
+        let figures = designs.iter().map(|(_, figures)| figures.get(i));
+        let figures = [given.and_then(|given| given.get(i))]
+            .into_iter()
+            .chain(figures);
+        let name = with_unit(asked.name(), asked.unit());
+        table.row(name, figures.map(|found| Cell::sure(figure(found))));
+    }
+    table
 }
 
 /// Describes the motions of designs that move differently from the given one, after that of the
@@ -299,24 +303,10 @@ impl BestReport<'_> {
     }
 
     fn table(&self) -> Table {
-        let heads = [words().given_design(), words().best_design()];
-        let mut table = Table::new("", heads);
-        let values = self.space.values().iter().zip(&self.best.numbers);
-        for (value, number) in values {
-            let name = with_unit(&value.dotted(), &value.shown_unit());
-            let cells = [concise(value.number, FINE), trimmed(*number, FINE)];
-            table.row(name, cells.map(Cell::sure));
-        }
-        let asked =
-            std::iter::once(self.figure).chain(self.constraints.iter().map(|goal| &goal.figure));
-        for (i, asked) in asked.enumerate() {
-            let given = figure(self.given.as_ref().and_then(|given| given.get(i)));
-            table.row(
-                titled(asked),
-                [given, figure(self.figures.get(i))].map(Cell::sure),
-            );
-        }
-        table
+        let asked = self.constraints.iter().map(|goal| &goal.figure);
+        let asked = std::iter::once(self.figure).chain(asked);
+        let best = (words().best_design(), (&*self.best.numbers, &*self.figures));
+        table(self.space, self.given.as_deref(), asked, [best])
     }
 
     /// Returns the whole result for programs.
@@ -360,8 +350,4 @@ fn figure(found: Option<&Result<f64, NoFigure>>) -> String {
         Some(Ok(value)) => significant(*value, DIGITS),
         Some(Err(_)) | None => "-".into(),
     }
-}
-
-fn titled(figure: &CycleFigure) -> String {
-    with_unit(figure.name(), figure.unit())
 }

@@ -1,6 +1,6 @@
 //! Tables written row by row, as CSV, JSON or aligned text.
 //!
-//! Rows of numbers and fixed words do not allocate: a line buffer serves all rows.
+//! Rows of numbers and fixed words in CSV and JSON do not allocate: a line buffer serves all rows.
 
 use crate::page::with_unit;
 use crate::quantity::{Quantity, state_word};
@@ -74,13 +74,21 @@ impl<'c> RowCell<'c> {
         match self {
             RowCell::Number(None) => line.push_str("null"),
             RowCell::Word(word) if word.is_empty() => line.push_str("null"),
-            RowCell::Word(word) => *line += &Value::from(&**word).to_string(),
+            RowCell::Word(word) if word.contains(is_escaped) => {
+                *line += &Value::from(&**word).to_string();
+            }
+            RowCell::Word(word) => line.extend(["\"", &**word, "\""]),
             RowCell::Number(Some(value)) => match style {
                 JsonStyle::Spaced => shortest(*value, line),
                 JsonStyle::Compact => *line += &Value::from(value + 0.0).to_string(),
             },
         }
     }
+}
+
+/// Returns `true` for a character that JSON escapes.
+fn is_escaped(c: char) -> bool {
+    c.is_control() || c == '"' || c == '\\'
 }
 
 impl RowColumn {
@@ -304,8 +312,10 @@ fn push_csv<'c>(
     dialect: CsvDialect,
     line: &mut String,
 ) {
-    for (number, cell) in cells.into_iter().enumerate() {
-        if number > 0 {
+    let mut is_first = true;
+    // Internal iteration runs over numbers without looking at their kind.
+    cells.into_iter().for_each(|cell| {
+        if !std::mem::take(&mut is_first) {
             line.push(dialect.separator());
         }
         match cell {
@@ -313,7 +323,7 @@ fn push_csv<'c>(
             RowCell::Number(Some(value)) => dialect.push(value, line),
             RowCell::Word(word) => dialect.push_word(&word, line),
         }
-    }
+    });
     line.push('\n');
 }
 
