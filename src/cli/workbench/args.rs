@@ -122,5 +122,5 @@ const PICTURES: [OptionValue<PictureChoice>; 5] = [
         <dyn Words>::pictures_of_sixels,
         PictureChoice::By(PictureProtocol::Sixel),
     ),
-    ("never", <dyn Words>::pictures_never, PictureChoice::Never),
+    ("none", <dyn Words>::pictures_never, PictureChoice::Never),
 ];
