@@ -75,6 +75,8 @@ pub use working::{
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
-    self::synthesis::wanted, cycle::page::brief_cycle, forces::effort_word, forces::page::missed,
-    synthesis::candidate_row::CandidateRow, text::number::shortest, text::number::upwards,
+    self::cycle::page::brief_cycle,
+    self::forces::{effort_word, page::missed},
+    self::synthesis::{candidate_row::CandidateRow, wanted},
+    self::text::number::{shortest, upwards},
 };

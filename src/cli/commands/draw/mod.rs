@@ -189,7 +189,7 @@ static FORMATS: [&DrawFormat; 6] = [
     &svg::FORMAT,
     &dxf::FORMAT,
     &png::FORMAT,
-    &gif::FORMAT,
+    &self::gif::FORMAT,
     &cast::FORMAT,
 ];
 
