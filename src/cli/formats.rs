@@ -89,9 +89,7 @@ impl CsvArgs {
                 .ok_or_else(|| Failure::Usage(words().comma_for_both().into())),
         }
     }
-}
 
-impl CsvArgs {
     /// Returns the format of rows, with so many digits in text.
     pub(super) fn rows(self, format: OutputFormat, digits: usize) -> Result<RowFormat, Failure> {
         let dialect = self.dialect(format)?;
@@ -122,4 +120,17 @@ pub(super) fn number(text: &str) -> Result<f64, String> {
     let text = with_point(text).ok_or_else(unclear)?;
     text.parse()
         .map_err(|_| words().must_be_a_number().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn options_have_names_of_the_configuration() {
+        let marks = DecimalMark::ALL.map(|mark| (mark.name(), mark));
+        assert_eq!(MARKS.map(|(name, _, mark)| (name, mark)), marks);
+        let separators = CellSeparator::ALL.map(|separator| (separator.name(), separator));
+        assert_eq!(SEPARATORS.map(|(name, _, it)| (name, it)), separators);
+    }
 }

@@ -124,3 +124,23 @@ const PICTURES: [OptionValue<PictureChoice>; 5] = [
     ),
     ("none", <dyn Words>::pictures_never, PictureChoice::Never),
 ];
+
+#[cfg(test)]
+mod tests {
+    #[cfg(feature = "tui")]
+    #[test]
+    fn options_have_names_of_the_configuration() {
+        use super::{COLOURS, Colours, PICTURES, PictureChoice, THEMES};
+
+        assert_eq!(PICTURES.map(|(.., picture)| picture), PictureChoice::ALL);
+        for (name, _, picture) in PICTURES {
+            assert_eq!(name, picture.name());
+        }
+        for (name, _, theme) in THEMES {
+            assert_eq!(name, theme.name());
+        }
+        for (name, _, colours) in COLOURS {
+            assert_eq!(name, colours.map_or("auto", Colours::name));
+        }
+    }
+}

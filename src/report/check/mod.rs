@@ -278,3 +278,23 @@ pub(super) fn group_name<'a>(scene: &'a Scene, group: &Group) -> &'a str {
     let link = || Some(scene.link_name(*group.links.first()?));
     point.or_else(link).unwrap_or("a group")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::presets;
+
+    /// A value whose key is not listed would be missing in JSON.
+    #[test]
+    fn every_value_has_its_place_in_json() {
+        for preset in presets::all().iter().take(6) {
+            let scene = Scene::parse(preset.text, preset.name).unwrap();
+            let check = Check::new(&scene, &Solver::new(&scene.mechanism).unwrap());
+            let values = check.facts.iter().flat_map(|fact| &fact.values);
+            let keys: Vec<&str> = values.map(|(key, _)| *key).collect();
+            assert!(keys.iter().all(|key| KEYS.contains(key)), "{keys:?}");
+            let json = check.to_json();
+            assert_eq!(json.as_object().unwrap().len(), keys.len() + 1);
+        }
+    }
+}
