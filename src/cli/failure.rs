@@ -1,6 +1,6 @@
 //! Errors of commands, with their exit codes.
 
-use super::screen::TextScreen;
+use crate::cli::screen::TextScreen;
 use crate::scene::{Diagnostics, sanitized};
 use crate::wording::words;
 use std::io::{self, Write};
@@ -12,6 +12,8 @@ use std::process::ExitCode;
 pub(super) enum Failure {
     /// The command line is invalid.
     Usage(String),
+    /// The command line names a scene that is neither a preset nor a file.
+    NoScene(String),
     /// The scene is invalid.
     Scene(Diagnostics),
     /// The mechanism or the terminal makes the request impossible.
@@ -29,7 +31,7 @@ impl Failure {
         match self {
             Failure::PipeClosed => ExitCode::SUCCESS,
             Failure::Cannot(_) | Failure::Output(..) => ExitCode::from(1),
-            Failure::Usage(_) | Failure::Scene(_) => ExitCode::from(2),
+            Failure::Usage(_) | Failure::NoScene(_) | Failure::Scene(_) => ExitCode::from(2),
         }
     }
 
@@ -39,6 +41,10 @@ impl Failure {
             Failure::PipeClosed => return,
             Failure::Scene(diagnostics) => diagnostics.render(screen.ascii, screen.colour),
             Failure::Usage(message) | Failure::Cannot(message) => error(message, screen),
+            Failure::NoScene(name) => {
+                let help = words().list_names_presets();
+                error(&words().no_preset_and_no_file(name, help), screen)
+            }
             Failure::Output(None, e) => error(&words().cannot_write_results(e), screen),
             Failure::Output(Some(path), e) => {
                 error(&words().cannot_write(&path.display(), e), screen)

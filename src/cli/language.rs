@@ -1,34 +1,36 @@
 //! Selects the language of the program. It must be known before the command line is parsed, because
 //! the parser's help texts depend on it.
 
-use super::args::{Cli, LanguageChoice};
-use crate::wording::Language;
-use clap::{Command, CommandFactory, ValueEnum};
+use crate::cli::choice::{OptionValue, OrAuto, value_named};
+use crate::wording::{Language, Words};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
+/// The values of `--language`; `auto` is the configured language, or that of the locale.
+pub(super) const LANGUAGES: [OptionValue<OrAuto<Language>>; 3] = [
+    ("auto", <dyn Words>::language_auto, None),
+    ("tr", <dyn Words>::language_turkish, Some(Language::Turkish)),
+    ("en", <dyn Words>::language_english, Some(Language::English)),
+];
+
 /// Selects the requested language, the configured one, or that of the locale. Returns the arguments
 /// with the language option moved to the command, where every command accepts it.
-pub(super) fn settle(arguments: Vec<OsString>) -> Vec<OsString> {
+pub(super) fn settle(
+    arguments: Vec<OsString>,
+    is_command: impl Fn(&OsStr) -> bool,
+) -> Vec<OsString> {
     let configured = configured(value_of(&arguments, "--config").map(PathBuf::from));
     let asked = value_of(&arguments, OPTION);
-    let asked = asked.and_then(|name| LanguageChoice::from_str(name.to_str()?, false).ok());
-    let asked = asked.and_then(LanguageChoice::asked);
+    let asked = asked.and_then(|name| value_named(&LANGUAGES, name.to_str()?)?);
     let env = |name: &str| Some(std::env::var_os(name)?.to_string_lossy().into_owned());
     let language = asked.or(configured);
     language.unwrap_or_else(|| Language::of_locale(env)).speak();
-    with_language_moved(arguments, |word| {
-        let krank = Cli::command();
-        krank
-            .get_subcommands()
-            .map(Command::get_name)
-            .any(|name| word == name)
-    })
+    with_language_moved(arguments, is_command)
 }
 
 #[cfg(feature = "tui")]
 fn configured(named: Option<PathBuf>) -> Option<Language> {
-    super::config::language(named.as_deref())
+    super::workbench::language(named.as_deref())
 }
 
 /// Returns `None`: only the workbench has a configuration.

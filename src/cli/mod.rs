@@ -1,62 +1,78 @@
 //! The command line: parses and runs it, and reports errors.
 
-mod accuracy;
-mod args;
+mod choice;
+mod columns;
 mod commands;
-mod completions;
-#[cfg(feature = "tui")]
-mod config;
-mod cycle;
-#[cfg(feature = "tui")]
-mod diagnose;
-mod draw;
-mod exercise;
-mod explain;
-mod export;
 mod failure;
-mod grade;
+mod foreign;
+mod formats;
 mod help;
 mod language;
-mod lookup;
-mod measured;
-mod misuse;
-mod motor;
 mod output;
-mod pager;
 mod picture;
-mod plot;
+mod place;
 #[cfg(feature = "tui")]
 mod progress;
 #[cfg(not(feature = "tui"))]
-#[path = "no_progress.rs"]
+#[path = "absent_progress.rs"]
 mod progress;
-mod report;
+mod rows;
 mod screen;
-mod solve;
 mod source;
-mod study;
-mod study_chart;
-mod study_rows;
-mod sweep;
-mod synthesize;
-mod tolerance;
-mod version;
-#[cfg(feature = "tui")]
-mod workbench;
-#[cfg(not(feature = "tui"))]
-#[path = "no_workbench.rs"]
 mod workbench;
 
 use crate::files::mend;
 use crate::scene::sanitized;
-use crate::wording::words;
-use args::{Cli, Command};
-use clap::Parser;
+use crate::wording::{Language, words};
+use choice::{OrAuto, one_of};
 use clap::error::ErrorKind;
+use clap::{Arg, ArgAction, CommandFactory, Parser};
+use commands::Command;
 use failure::Failure;
+use help::{misuse, version};
+use language::LANGUAGES;
 use screen::TextScreen;
 use std::ffi::OsString;
 use std::process::ExitCode;
+use workbench::WorkbenchArgs;
+
+/// Returns the text after the options in `--help`: examples, after the essential keys if there is a workbench.
+fn behind_help() -> String {
+    let keys = match cfg!(feature = "tui") {
+        true => words().keys_of_workbench(),
+        false => "",
+    };
+    keys.to_owned() + words().examples_of_krank()
+}
+
+/// Returns `--long`, the last option in `--help`. It is not a field: `--version` ends the parsing.
+fn long_version() -> Arg {
+    let long = Arg::new("long").long("long").action(ArgAction::SetTrue);
+    let long = long.help(words().add_to_version()).display_order(999);
+    long.requires("version")
+}
+
+/// A terminal workbench for planar linkages.
+#[derive(Debug, Parser)]
+#[command(
+    name = "krank",
+    version,
+    about = words().what_krank_is(),
+    long_about = words().what_krank_does(),
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true,
+    arg = long_version(),
+    after_help = behind_help()
+)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    workbench: WorkbenchArgs,
+    #[arg(help = words().language_to_speak())]
+    #[arg(long, global = true, value_parser = one_of(&LANGUAGES), default_value = "auto")]
+    language: OrAuto<Language>,
+}
 
 /// Runs the program with these arguments, its own name first. Results go to standard output,
 /// messages to standard error.
@@ -64,12 +80,17 @@ use std::process::ExitCode;
 /// The exit code is 0 on success, 1 if the mechanism makes the request impossible or the results
 /// cannot be written, and 2 if the command line or the scene is invalid.
 pub fn run(arguments: impl IntoIterator<Item = OsString>) -> ExitCode {
-    let arguments = language::settle(arguments.into_iter().collect());
+    let arguments = language::settle(arguments.into_iter().collect(), |word| {
+        let krank = Cli::command();
+        krank
+            .get_subcommands()
+            .any(|command| word == command.get_name())
+    });
     let screen = TextScreen::detect();
     finish_interrupted_writes(screen);
     let done = match Cli::try_parse_from(&arguments) {
-        Ok(cli) => obey(&cli, screen),
-        Err(error) => match misuse::explained(error, &arguments) {
+        Ok(cli) => obey(&cli, screen).map_err(explained),
+        Err(error) => match misuse::explained(error, &arguments, &Cli::command()) {
             Ok(message) => Err(Failure::Usage(message)),
             Err(error) => return refuse(&error, &arguments, screen),
         },
@@ -118,34 +139,19 @@ fn lines_made_harmless(text: &str, screen: TextScreen) -> String {
     lines.collect()
 }
 
+/// Explains a name that is neither a preset nor a file.
+fn explained(failure: Failure) -> Failure {
+    match failure {
+        Failure::NoScene(name) => Failure::Usage(misuse::no_scene(&name, &Cli::command())),
+        other => other,
+    }
+}
+
 fn obey(cli: &Cli, screen: TextScreen) -> Result<(), Failure> {
     match &cli.command {
         #[cfg(feature = "tui")]
-        None if cli.workbench.diagnose => diagnose::diagnose(&cli.workbench, cli.language),
+        None if cli.workbench.diagnose => workbench::diagnose(&cli.workbench, cli.language),
         None => workbench::open(&cli.workbench, cli.language),
-        Some(Command::List) => commands::list(screen),
-        Some(Command::Check(args)) => commands::check(args, screen),
-        Some(Command::Table(args)) => commands::table(args, screen),
-        Some(Command::Explain(args)) => explain::explain(args, screen),
-        Some(Command::Report(args)) => report::report(args, screen),
-        Some(Command::Exercise(args)) => exercise::exercise(args, screen),
-        Some(Command::Grade(args)) => grade::grade(args, screen),
-        Some(Command::Draw(args)) => draw::draw(args, screen),
-        Some(Command::Sweep(args)) => sweep::sweep(args, screen),
-        Some(Command::Plot(args)) => plot::plot(args, screen),
-        Some(Command::Solve(args)) => solve::solve(args, screen),
-        Some(Command::Synthesize(args)) => synthesize::synthesize(args, screen),
-        Some(Command::Start(args)) => commands::start(args),
-        Some(Command::Cycle(args)) => cycle::cycle(args, screen),
-        Some(Command::Export(args)) => export::export(args, screen),
-        Some(Command::Tolerance(args)) => tolerance::tolerance(args, screen),
-        Some(Command::Study(args)) => study::study(args, screen),
-        Some(Command::Motor(args)) => motor::motor(args, screen),
-        Some(Command::Accuracy(args)) => accuracy::accuracy(args, screen),
-        #[cfg(feature = "tui")]
-        Some(Command::Config) => config::config(screen),
-        Some(Command::Help(args)) => help::help(args),
-        Some(Command::Completions { shell }) => completions::completions(*shell, screen),
-        Some(Command::Man { command }) => commands::man(command.as_deref(), screen),
+        Some(command) => command.run(screen, Cli::command),
     }
 }

@@ -1,10 +1,19 @@
 //! Writes results to standard output or to a file.
 
-use super::failure::Failure;
+use crate::cli::failure::Failure;
 use crate::files::{Output, places};
 use crate::scene::sanitized;
+use crate::wording::words;
+use clap::Args;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal, Write, stdout};
 use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub(super) struct OutputArgs {
+    #[arg(help = words().write_to_a_file())]
+    #[arg(short, long, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
 
 /// Size of the output buffer, in bytes.
 const BUFFER: usize = 1 << 16;

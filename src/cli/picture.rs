@@ -1,11 +1,70 @@
 //! Common properties of drawings and plots in characters: glyphs and size.
 
-use super::args::{GlyphChoice, Size};
-use super::output::goes_to_terminal;
-use super::screen;
+use crate::cli::choice::{OptionValue, OrAuto};
+use crate::cli::output::goes_to_terminal;
+use crate::cli::screen;
 use crate::document::with_ascii_letters;
-use crate::drawing;
+use crate::drawing::{Blocks, Glyphs};
+use crate::wording::{Words, words};
 use std::path::Path;
+use std::str::FromStr;
+
+/// Characters to draw with.
+pub(super) const GLYPHS: [OptionValue<OrAuto<Glyphs>>; 7] = [
+    ("auto", <dyn Words>::glyphs_as_allowed, None),
+    (
+        "ascii",
+        <dyn Words>::glyphs_of_seven_bits,
+        Some(Glyphs::Ascii),
+    ),
+    ("line", <dyn Words>::glyphs_of_boxes, Some(Glyphs::Line)),
+    (
+        "braille",
+        <dyn Words>::glyphs_of_braille,
+        Some(Glyphs::Braille),
+    ),
+    (
+        "quadrants",
+        <dyn Words>::glyphs_of_quadrants,
+        Some(Glyphs::Blocks(Blocks::Quadrants)),
+    ),
+    (
+        "sextants",
+        <dyn Words>::glyphs_of_sextants,
+        Some(Glyphs::Blocks(Blocks::Sextants)),
+    ),
+    (
+        "octants",
+        <dyn Words>::glyphs_of_octants,
+        Some(Glyphs::Blocks(Blocks::Octants)),
+    ),
+];
+
+/// A size in characters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Size {
+    pub(super) cols: u16,
+    pub(super) rows: u16,
+}
+
+/// Maximum number of columns or rows; larger pictures only waste memory.
+const MAX_SIDE: u16 = 2000;
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let sides = text.split_once(['x', 'X']);
+        let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIDE).contains(n));
+        let size = sides.and_then(|(cols, rows)| {
+            Some(Size {
+                cols: side(cols)?,
+                rows: side(rows)?,
+            })
+        });
+        size.ok_or_else(|| words().size_is_meant(&MAX_SIDE))
+    }
+}
 
 /// Size if the terminal reports none.
 pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
@@ -14,13 +73,12 @@ pub(super) const USUAL: Size = Size { cols: 80, rows: 24 };
 pub(super) const ASPECT: f64 = 2.0;
 
 /// Returns the requested glyphs, or those that the locale and the terminal support.
-pub(super) fn glyphs(wish: GlyphChoice) -> drawing::Glyphs {
-    wish.asked()
-        .unwrap_or_else(|| screen::judgement().glyphs().value)
+pub(super) fn glyphs(wish: OrAuto<Glyphs>) -> Glyphs {
+    wish.unwrap_or_else(|| screen::judgement().glyphs().value)
 }
 
 /// Converts letters in a drawing's text to ASCII if its glyphs are ASCII.
-pub(super) fn lettered(text: String, glyphs: drawing::Glyphs) -> String {
+pub(super) fn lettered(text: String, glyphs: Glyphs) -> String {
     match glyphs.is_dotted() {
         true => text,
         false => with_ascii_letters(&text),

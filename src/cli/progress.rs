@@ -5,8 +5,8 @@
 //! programs: without a terminal, if the results go to a terminal, on a terminal that cannot move
 //! its cursor back, and in the background.
 
-use super::failure::say;
-use super::screen::TextScreen;
+use crate::cli::failure::say;
+use crate::cli::screen::TextScreen;
 use crate::wording::words;
 use rustix::process::getpgrp;
 use rustix::termios::{tcgetpgrp, tcgetwinsize};
@@ -14,13 +14,11 @@ use signal_hook::consts::{SIGINT, SIGQUIT, SIGTERM};
 use signal_hook::flag;
 use signal_hook::iterator::Signals;
 use signal_hook::low_level::emulate_default_handler;
-use std::fs;
-use std::io;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::channel;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
-use std::thread;
 use std::time::{Duration, Instant};
+use std::{fs, io, thread};
 
 /// Minimum duration of a command before the line appears.
 const DELAY: Duration = Duration::from_millis(500);

@@ -1,21 +1,35 @@
 //! Finds and opens the scene on the command line.
 
-use super::args::{Cli, OutputArgs, SceneArgs};
-use super::failure::Failure;
-use super::output;
 use crate::assembly::AssemblyRequest;
+use crate::cli::failure::Failure;
+use crate::cli::output::{self, OutputArgs};
 use crate::document::foreign;
 use crate::files::{is_same_file, limited, read_any};
-use crate::nearest::nearest;
 use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{MAX_FILE_SIZE, Scene};
 use crate::solver::{Fault, Plan, Solver};
-use crate::task_file::ExampleTask;
 use crate::wording::words;
-use clap::{Command, CommandFactory};
+use clap::Args;
 use std::io::{self, stdin};
 use std::path::{Path, PathBuf, is_separator};
+
+/// A scene, in the assembly that is meant.
+#[derive(Debug, Args)]
+pub(super) struct SceneArgs {
+    #[arg(help = words().name_of_scene())]
+    pub(super) scene: PathBuf,
+    #[command(flatten)]
+    pub(super) assembly: AssemblyArgs,
+}
+
+/// The assembly that is meant.
+#[derive(Debug, Args)]
+pub(super) struct AssemblyArgs {
+    #[arg(help = words().assembly_of_group())]
+    #[arg(long = "assembly", value_name = "GROUP=CHOICE", value_delimiter = ',')]
+    pub(super) wishes: Vec<AssemblyRequest>,
+}
 
 /// A scene and its solver.
 pub(super) struct SolvableScene {
@@ -163,32 +177,8 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Fa
     match presets::find(text) {
         Some(preset) => Ok(SceneSource::Preset(preset)),
         None if exists(name) => file(),
-        None => Err(unknown(text)),
+        None => Err(Failure::NoScene(text.to_owned())),
     }
-}
-
-fn unknown(name: &str) -> Failure {
-    let task = ExampleTask::find(name).map(|task| words().example_is_a_task(task.name));
-    let command = || meant_command(name).map(|command| words().did_you_mean_command(&command));
-    let mend = task
-        .or_else(command)
-        .or_else(|| meant_preset(name).map(|p| words().did_you_mean_preset(p)))
-        .unwrap_or_else(|| words().list_names_presets().into());
-    Failure::Usage(words().no_preset_and_no_file(name, &mend))
-}
-
-/// Returns the command that a mistyped name probably means; the parser takes it for the name of a
-/// scene.
-pub(super) fn meant_command(name: &str) -> Option<String> {
-    let krank = Cli::command();
-    nearest(name, krank.get_subcommands().map(Command::get_name)).map(str::to_owned)
-}
-
-/// Returns the preset that a name probably means: a similar one, or one with this prefix.
-fn meant_preset(name: &str) -> Option<&'static str> {
-    let names = || presets::all().iter().map(|preset| preset.name);
-    let begun = |preset: &&str| !name.is_empty() && preset.starts_with(name);
-    nearest(name, names()).or_else(|| names().find(begun))
 }
 
 #[cfg(test)]
@@ -200,7 +190,7 @@ mod tests {
             Ok(SceneSource::Stdin) => "stdin".into(),
             Ok(SceneSource::Preset(preset)) => format!("preset {}", preset.name),
             Ok(SceneSource::File(path)) => format!("file {}", path.display()),
-            Err(Failure::Usage(message)) => message,
+            Err(Failure::NoScene(name)) => format!("no scene {name}"),
             Err(other) => panic!("{other:?}"),
         }
     }
@@ -213,17 +203,6 @@ mod tests {
         assert_eq!(found("scenes/four-bar", false), "file scenes/four-bar");
         assert_eq!(found("mine", true), "file mine");
         assert_eq!(found("-", true), "stdin");
-    }
-
-    #[test]
-    fn an_unknown_name_gets_the_nearest_preset() {
-        assert_eq!(
-            found("forbar", false),
-            "no preset or file is named `forbar`; did you mean the preset `four-bar`?"
-        );
-        assert!(found("slider", false).ends_with("did you mean the preset `slider-crank`?"));
-        assert!(found("hatch", false).ends_with("it is a task: krank synthesize hatch"));
-        assert!(found("chek", false).ends_with("did you mean the command `check`?"));
-        assert!(found("zzzzzzzzzzzzzzzzzzz", false).contains("krank list"));
+        assert_eq!(found("mine", false), "no scene mine");
     }
 }

@@ -1,9 +1,9 @@
 //! Formats the results of a method study as text, CSV and JSON.
 
-use super::csv_dialect::{CsvDialect, CsvSheet};
-use super::number::{concise, significant};
 use crate::PointId;
 use crate::page::{Content, Facts, Page, Rest, Row, Setting, Table, TextStyle};
+use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};
+use crate::report::text::number::{concise, significant};
 use crate::scene::Scene;
 use crate::solver::{Method, Start, Unfit};
 use crate::study::{Finding, Findings, MethodErrors, MethodFigures, MethodVerdict, Spread};

@@ -6,55 +6,19 @@
 //! terminal can show them.
 
 mod accuracy;
-mod answers;
 mod beside;
-#[cfg(feature = "tui")]
-mod candidate_row;
-mod cells;
 mod check;
-mod check_page;
-mod choice_facts;
-mod columns;
-mod csv_dialect;
-mod curves;
-mod cycle_page;
-mod cycle_report;
-mod design_rows;
-mod design_summary;
-mod difference;
-mod entry;
-mod errors;
+mod cycle;
+mod designs;
 mod exercise;
-mod figure_list;
 mod forces;
-mod forces_page;
-mod goals;
-mod input_facts;
-mod least;
-mod loop_facts;
-mod motion_facts;
 mod motor;
-mod motor_csv;
-mod motor_page;
-mod number;
 mod paper;
-mod range_text;
-mod rows;
-mod slide_facts;
-mod steps;
-mod stop_facts;
-mod structural_error;
 mod sweep;
 mod synthesis;
-mod synthesis_csv;
 mod tables;
-mod tables_data;
-mod tables_page;
-mod text_encoding;
-mod timed_motor;
-mod tolerance_answers;
-mod tolerance_page;
-mod tolerance_rows;
+mod text;
+mod tolerance;
 mod verdict;
 mod working;
 
@@ -63,46 +27,47 @@ pub use accuracy::{
     Accuracy, StudyMeasure, TIME_DIGITS, accuracy_notes, error_text, method_name, time_text,
     unfit_text,
 };
-pub use answers::{Answer, Answers};
 pub use beside::{ForeignFigures, Measured, NoFigures};
-pub use check::{
-    Check, ConditionFacts, DriverFacts, DriverKind, ExtremeFacts, GroupFacts, JointFacts,
-    LinedUpFacts, NearMissFacts, TransmissionFacts, near_misses,
+pub use check::{Check, near_misses, stop_before, stop_name};
+pub use cycle::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
+pub use designs::{
+    goals::{BestReport, GoalReport, no_best},
+    summary::DesignSummary,
+    table::DesignTable,
 };
-pub use choice_facts::{ChoiceFacts, ChoiceList, GroupChoices};
-pub use columns::{Columns, ExtraColumns};
-pub use csv_dialect::{CellSeparator, CsvDialect, DecimalMark};
-pub use curves::curves_csv;
-pub use cycle_report::{CycleReport, FollowedFigure, WorstPlace, usual_columns};
-pub use design_rows::{DesignColumn, DesignFormat, DesignTable};
-pub use design_summary::DesignSummary;
-pub use difference::Pairing;
-pub use entry::{Entry, PlaneVector};
-pub use errors::Missing;
 pub use exercise::{
     AnswerFile, AnsweredRow, FileRemarks, GradedAnswers, GradedFigure, InvalidCell, NoAnswers,
     answer_key, blank_answers, class_csv, class_page, is_blank, named_again,
 };
-pub use figure_list::{FigureList, ListedFigure};
-pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking};
-pub use goals::{BestReport, GoalReport, no_best};
-pub use input_facts::InputFacts;
-pub use least::Least;
-pub use motion_facts::{LeavingFacts, MotionFacts, StepFacts};
-pub use motor::{MotorReport, MotorRequest, RamReport};
+pub use forces::{Checks, Drive, Existence, Forces, GuideRow, JointRow, Shaking, least::Least};
+pub use motor::{MotorReport, MotorRequest, RamReport, timed::TimedMotorReport};
 pub use paper::{Report, ReportFormat};
-pub use range_text::{limits_text, range_text};
-pub use slide_facts::{SlideFacts, SliderKind};
-pub use steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal};
-pub use stop_facts::{StopFacts, UnmetLimit, stop_name, stops};
-pub use sweep::{RowFormat, Sweep, SweepOutcome};
-pub use tables::{DriverLine, ORDERS, PointRow, Tables, VectorColumn};
-pub use tables_page::TableStyle;
-pub use text_encoding::TextEncoding;
-pub use timed_motor::TimedMotorReport;
-pub use tolerance_answers::{ToleranceAnswer, ToleranceAnswers};
-pub use tolerance_page::{ToleranceReport, ToleranceRow};
-pub use tolerance_rows::{ToleranceFormat, ToleranceOutcome, ToleranceRows};
+pub use sweep::{
+    Sweep, SweepOutcome,
+    columns::{Columns, ExtraColumns},
+    curves::curves_csv,
+    errors::Missing,
+    steps::{DecimalError, MAX_ROWS, Steps, StepsError, WrittenDecimal},
+};
+pub use tables::{
+    DriverLine, ORDERS, PointRow, Tables, VectorColumn,
+    answers::{Answer, Answers},
+    difference::Pairing,
+    entry::{Entry, PlaneVector},
+    figure_list::{FigureList, ListedFigure},
+    page::TableStyle,
+};
+pub use text::{
+    csv_dialect::{CellSeparator, CsvDialect, DecimalMark},
+    encoding::TextEncoding,
+    places::{limits_text, range_text},
+    rows::{RowColumn, RowFormat},
+};
+pub use tolerance::{
+    answers::{ToleranceAnswer, ToleranceAnswers},
+    report::{ToleranceReport, ToleranceRow},
+    rows::{ToleranceOutcome, ToleranceRows},
+};
 pub use verdict::{Verdict, VerdictPart, motion_text};
 pub use working::{
     Agreement, Guess, GuessError, InstantCentre, LoopVector, LoopVectors, PointMotion, PointParts,
@@ -110,6 +75,8 @@ pub use working::{
 };
 #[cfg(feature = "tui")]
 pub(crate) use {
-    self::synthesis::wanted, candidate_row::CandidateRow, cycle_page::brief_cycle,
-    forces::effort_word, forces_page::missed, number::shortest, number::upwards,
+    self::cycle::page::brief_cycle,
+    self::forces::{effort_word, page::missed},
+    self::synthesis::{candidate_row::CandidateRow, wanted},
+    self::text::number::{shortest, upwards},
 };

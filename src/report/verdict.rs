@@ -1,10 +1,8 @@
 //! Summarizes a linkage during design: range of motion, class, and worst transmission angle.
 
-use super::loop_facts::LoopFacts;
-use super::motion_facts::MotionFacts;
-use super::number::concise;
-use super::stop_facts::stops;
+use super::check::{TimedMotion, loop_name, stop_name};
 use crate::quantity::Catalogue;
+use crate::report::text::number::concise;
 use crate::scene::Scene;
 use crate::solver::{Range, Solver, Transmission};
 use crate::wording::words;
@@ -51,8 +49,8 @@ impl Verdict {
         let catalogue = Catalogue::new(scene);
         let unit = &catalogue.driver().unit;
         let range = range_part(scene, solver, unit);
-        let class = solver.first_loop().map(LoopFacts::new);
-        let motion = MotionFacts::of(scene, solver).map(|motion| {
+        let class = solver.first_loop();
+        let motion = TimedMotion::of(scene).map(|motion| {
             let [long, short] = motion.in_short();
             VerdictPart { long, short }
         });
@@ -60,7 +58,7 @@ impl Verdict {
         Verdict {
             parts: [
                 Some(range),
-                class.map(|class| VerdictPart::of(class.name())),
+                class.map(|class| VerdictPart::of(loop_name(&class))),
                 (passed > 0).then(|| VerdictPart::of(words().some_change_points(passed))),
                 transmission(scene, solver, unit),
                 motion,
@@ -98,7 +96,8 @@ fn range_part(scene: &Scene, solver: &Solver, unit: &str) -> VerdictPart {
 
 /// Names the stops of the driver, if there are any.
 fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
-    let met = stops(scene, solver).into_iter().map(|stop| stop.called());
+    let met = solver.motion().stops.iter();
+    let met = met.map(|stop| stop_name(scene, stop.limit));
     let mut names: Vec<String> = met.collect();
     match names.as_slice() {
         [] => None,
@@ -112,8 +111,11 @@ fn stops_named(scene: &Scene, solver: &Solver) -> Option<String> {
 
 /// Names the stops of the driver; a single stop with its place.
 fn stop_placed(scene: &Scene, solver: &Solver, place: impl Fn(f64) -> String) -> Option<String> {
-    match stops(scene, solver).as_slice() {
-        [stop] => Some(words().stop_in_verdict(&stop.called(), &place(stop.at))),
+    match solver.motion().stops.as_slice() {
+        [stop] => {
+            let name = stop_name(scene, stop.limit);
+            Some(words().stop_in_verdict(&name, &place(stop.at)))
+        }
         _ => stops_named(scene, solver),
     }
 }

@@ -5,7 +5,7 @@ use super::foreign::ForeignCourse;
 use super::list::{apart, is_rounding};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
-use crate::report::number::significant;
+use crate::report::text::number::significant;
 use crate::solver::{Condition, Order, Solver};
 use crate::wording::words;
 

@@ -2,8 +2,8 @@
 
 use crate::document::quoted;
 use crate::quantity::{Catalogue, Quantity, unit_factor};
-use crate::report::cells::ReadCells;
-use crate::report::text_encoding::TextEncoding;
+use crate::report::text::cells::ReadCells;
+use crate::report::text::encoding::TextEncoding;
 use crate::study::WrittenFigure;
 use crate::wording::words;
 

@@ -5,7 +5,7 @@ use super::foreign::{ForeignRow, ForeignValue};
 use crate::angle;
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
-use crate::report::number::{direction, significant};
+use crate::report::text::number::{direction, significant};
 use crate::solver::State;
 use crate::wording::words;
 

@@ -5,9 +5,9 @@ use super::foreign::{ForeignCourse, ForeignFigures, ForeignTable};
 use super::list::apart;
 use crate::page::{Page, TextStyle};
 use crate::quantity::{Catalogue, Quantity};
-use crate::report::columns::{CellSource, Columns};
-use crate::report::rows::{CsvRows, JsonRows, RowWriter, TextRows};
-use crate::report::sweep::{RowFormat, SweepOutcome};
+use crate::report::sweep::SweepOutcome;
+use crate::report::sweep::columns::{CellSource, Columns};
+use crate::report::text::rows::{RowFormat, RowWriter};
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver};
 use std::io::{self, Write};
@@ -81,16 +81,12 @@ impl Measured {
         ascii: bool,
         mut to: impl Write,
     ) -> io::Result<SweepOutcome> {
-        let columns = self.columns(units);
-        let outcome = match format {
-            RowFormat::Csv(dialect) => self.rows(solver, CsvRows::new(&columns, dialect, &mut to)?),
-            RowFormat::Json => self.rows(solver, JsonRows::new(&scene.name, &columns, &mut to)?),
-            RowFormat::Text { digits } => {
-                let outcome = self.rows(solver, TextRows::new(&columns, digits, &mut to)?)?;
-                write!(to, "\n{}", self.summary(solver, ascii))?;
-                Ok(outcome)
-            }
-        }?;
+        let table = self.columns(units).table(format);
+        let head = table.head(&scene.name, "rows", units);
+        let outcome = self.rows(solver, RowWriter::new(table, &head, &mut to)?)?;
+        if let RowFormat::Text { .. } = format {
+            write!(to, "\n{}", self.summary(solver, ascii))?;
+        }
         Ok(outcome)
     }
 
@@ -118,7 +114,7 @@ impl Measured {
         columns
     }
 
-    fn rows(&self, solver: &Solver, mut rows: impl RowWriter) -> io::Result<SweepOutcome> {
+    fn rows(&self, solver: &Solver, mut rows: RowWriter<impl Write>) -> io::Result<SweepOutcome> {
         let order = self.course.columns.iter().map(Quantity::order).max();
         let mut state = solver.state();
         let mut outcome = SweepOutcome::default();
@@ -135,7 +131,7 @@ impl Measured {
                 let off = own.zip(measured).map(|(own, it)| apart(figure, it, own));
                 cells.extend([own, measured, off]);
             }
-            rows.row(&cells, condition)?;
+            rows.state_row(&cells, condition)?;
             outcome.rows += 1;
             outcome.valued += u64::from(condition != Condition::NoAssembly);
         }

@@ -3,9 +3,9 @@
 
 use super::row_names::{column_named, parted};
 use crate::quantity::{Catalogue, known_unit, unit_factor};
-use crate::report::cells::ReadCells;
-use crate::report::csv_dialect::{CsvDialect, CsvSheet};
-use crate::report::text_encoding::TextEncoding;
+use crate::report::text::cells::ReadCells;
+use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};
+use crate::report::text::encoding::TextEncoding;
 use crate::scene::Scene;
 use crate::study::{AnswerKey, GivenAnswer, WrittenFigure};
 use std::io::{self, Write};

@@ -1,44 +1,53 @@
 //! Formats the results of a class: a row for each student.
 
 use super::blank::InvalidCell;
-use super::graded::{GradedAnswers, GradedFigure, VerdictCounts};
+use super::graded::{GradedAnswers, GradedFigure};
 use crate::page::{Page, Table};
-use crate::report::csv_dialect::{CsvDialect, CsvSheet};
+use crate::report::text::csv_dialect::{CsvDialect, CsvSheet};
 use crate::scene::sanitized;
 use crate::study::FigureVerdict;
 use crate::wording::words;
 use std::io::{self, Write};
 
-/// The columns. These must stay stable.
-const HEADS: [&str; 24] = [
-    "student",
-    "sheet",
-    "figures",
-    "points",
-    "right",
-    "rounded",
-    "followed",
-    "sign",
-    "unit",
-    "assembly",
-    "wrong",
-    "empty",
-    "first",
-    "verdict",
-    "mistake",
-    "why",
-    "answer",
-    "file",
-    "unknown_units",
-    "no_numbers",
-    "repeated",
-    "unknown_rows",
-    "encoding",
-    "misread",
+type ClassColumn = (&'static str, fn(&GradedAnswers) -> String);
+
+/// The columns: name, number of values by verdict, the first value that is not right, and the first
+/// without a point, each with its verdict. The names must stay stable.
+const COLUMNS: [ClassColumn; 24] = [
+    ("student", |one| one.student.clone()),
+    ("sheet", |one| one.sheet.clone()),
+    ("figures", |one| one.figures.len().to_string()),
+    ("points", |one| one.points().to_string()),
+    ("right", |one| count(one, "right")),
+    ("rounded", |one| count(one, "rounded")),
+    ("followed", |one| count(one, "followed")),
+    ("sign", |one| count(one, "sign")),
+    ("unit", |one| count(one, "unit")),
+    ("assembly", |one| count(one, "assembly")),
+    ("wrong", |one| count(one, "wrong")),
+    ("empty", |one| count(one, "empty")),
+    ("first", |one| name(one.first())),
+    ("verdict", |one| verdict(one.first())),
+    ("mistake", |one| name(one.mistake())),
+    ("why", |one| verdict(one.mistake())),
+    ("answer", |one| {
+        let written = one.mistake().map(|figure| figure.written.clone());
+        written.unwrap_or_default()
+    }),
+    ("file", |one| one.file.clone()),
+    ("unknown_units", |one| in_cell(&one.remarks.strange_units)),
+    ("no_numbers", |one| in_cell(&one.remarks.unreadable)),
+    ("repeated", |one| in_cell(&one.remarks.repeated)),
+    ("unknown_rows", |one| in_cell(&one.remarks.strangers)),
+    ("encoding", |one| one.remarks.encoding.name().to_owned()),
+    ("misread", |one| {
+        let misread = one.misread.as_ref();
+        let read = misread.map(|of| format!("{} = {} {}", of.value.name, of.number, of.value.unit));
+        read.unwrap_or_default()
+    }),
 ];
 
-/// Writes a row for each student: name, number of values by verdict, the first value that is not
-/// right, and the first without a point, each with its verdict.
+/// Writes a row for each student.
 ///
 /// # Errors
 /// Returns the errors of the output.
@@ -48,40 +57,25 @@ pub fn class_csv(
     to: &mut dyn Write,
 ) -> io::Result<()> {
     let mut rows = CsvSheet::new(dialect, to);
-    rows.record(HEADS)?;
+    rows.record(COLUMNS.map(|(name, _)| name))?;
     for one in class {
-        let mut cells = vec![one.student.clone(), one.sheet.clone()];
-        cells.extend(numbers(one).map(|number| number.to_string()));
-        let named = |figure: Option<&GradedFigure>| match figure {
-            Some(figure) => [
-                figure.quantity.name.clone(),
-                code(figure.verdict).to_owned(),
-            ],
-            None => Default::default(),
-        };
-        cells.extend(named(one.first()));
-        cells.extend(named(one.mistake()));
-        cells.push(
-            one.mistake()
-                .map_or_else(String::new, |f| f.written.clone()),
-        );
-        cells.push(one.file.clone());
-        let remarks = &one.remarks;
-        let lists = [
-            &remarks.strange_units,
-            &remarks.unreadable,
-            &remarks.repeated,
-            &remarks.strangers,
-        ];
-        cells.extend(lists.map(|list| in_cell(list)));
-        cells.push(remarks.encoding.name().to_owned());
-        let misread = one.misread.as_ref();
-        cells.push(misread.map_or_else(String::new, |of| {
-            format!("{} = {} {}", of.value.name, of.number, of.value.unit)
-        }));
-        rows.record(cells.iter().map(|cell| harmless(cell)))?;
+        rows.record(COLUMNS.map(|(_, cell)| harmless(&cell(one))))?;
     }
     rows.finish()
+}
+
+fn count(one: &GradedAnswers, verdict: &str) -> String {
+    let figures = one.figures.iter();
+    let counted = figures.filter(|figure| code(figure.verdict) == verdict);
+    counted.count().to_string()
+}
+
+fn name(figure: Option<&GradedFigure>) -> String {
+    figure.map_or_else(String::new, |figure| figure.quantity.name.clone())
+}
+
+fn verdict(figure: Option<&GradedFigure>) -> String {
+    figure.map_or("", |figure| code(figure.verdict)).to_owned()
 }
 
 /// Lists cells of an answer file in one cell, as `line figure: text` separated by semicolons.
@@ -105,7 +99,7 @@ pub fn class_page(class: &[GradedAnswers]) -> Page {
     ];
     let mut table = Table::new(words().student(), heads);
     for one in class {
-        let points = one.counts().points().to_string();
+        let points = one.points().to_string();
         let mistake = one.mistake();
         let [name, verdict] = match mistake {
             Some(figure) => [figure.quantity.name.clone(), one.told(figure)],
@@ -137,32 +131,6 @@ pub fn named_again(class: &[GradedAnswers]) -> Vec<(&str, Vec<&str>)> {
     }
     all.retain(|(_, files)| files.len() > 1);
     all
-}
-
-fn numbers(one: &GradedAnswers) -> [usize; 10] {
-    let counts = one.counts();
-    let VerdictCounts {
-        right,
-        rounded,
-        followed,
-        sign,
-        unit,
-        assembly,
-        wrong,
-        empty,
-    } = counts;
-    [
-        one.figures.len(),
-        counts.points(),
-        right,
-        rounded,
-        followed,
-        sign,
-        unit,
-        assembly,
-        wrong,
-        empty,
-    ]
 }
 
 /// Returns the name of a verdict's column.

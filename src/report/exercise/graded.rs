@@ -3,8 +3,8 @@
 use super::blank::{AnswerFile, InvalidCell};
 use crate::page::{Page, Setting, Table};
 use crate::quantity::Quantity;
-use crate::report::number::{direction, significant};
-use crate::report::text_encoding::TextEncoding;
+use crate::report::text::encoding::TextEncoding;
+use crate::report::text::number::{direction, significant};
 use crate::study::{AnswerKey, FigureVerdict, MisreadValue, RoundedEarly, SheetScene};
 use crate::wording::words;
 use std::path::Path;
@@ -54,27 +54,6 @@ pub struct GradedFigure {
     pub written: String,
     /// The verdict.
     pub verdict: FigureVerdict,
-}
-
-/// The number of values with each verdict.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct VerdictCounts {
-    pub(super) right: usize,
-    pub(super) rounded: usize,
-    pub(super) followed: usize,
-    pub(super) sign: usize,
-    pub(super) unit: usize,
-    pub(super) assembly: usize,
-    pub(super) wrong: usize,
-    pub(super) empty: usize,
-}
-
-impl VerdictCounts {
-    /// Returns the number of values worth a point: right, apart from rounding and from earlier
-    /// mistakes.
-    pub(super) fn points(self) -> usize {
-        self.right + self.rounded + self.followed
-    }
 }
 
 impl FileRemarks {
@@ -174,22 +153,13 @@ impl GradedAnswers {
         figures.find(|figure| !figure.verdict.is_worth_a_point())
     }
 
-    pub(super) fn counts(&self) -> VerdictCounts {
-        let mut counts = VerdictCounts::default();
-        for figure in &self.figures {
-            let count = match figure.verdict {
-                FigureVerdict::Right => &mut counts.right,
-                FigureVerdict::Rounded(_) => &mut counts.rounded,
-                FigureVerdict::Followed(_) => &mut counts.followed,
-                FigureVerdict::Sign | FigureVerdict::Opposite => &mut counts.sign,
-                FigureVerdict::OtherUnit(_) => &mut counts.unit,
-                FigureVerdict::OtherAssembly => &mut counts.assembly,
-                FigureVerdict::Wrong | FigureVerdict::Unreadable => &mut counts.wrong,
-                FigureVerdict::Empty => &mut counts.empty,
-            };
-            *count += 1;
-        }
-        counts
+    /// Returns the number of values worth a point: right, apart from rounding and from earlier
+    /// mistakes.
+    pub(super) fn points(&self) -> usize {
+        let verdicts = self.figures.iter().map(|figure| figure.verdict);
+        verdicts
+            .filter(|verdict| verdict.is_worth_a_point())
+            .count()
     }
 
     /// Formats all answers in a table, with remarks on the whole.
@@ -199,14 +169,12 @@ impl GradedAnswers {
         page.title(&self.student);
         page.text(words().answers_to(&self.sheet));
         page.table(self.table(&self.figures));
-        let counts = self.counts();
-        let points = counts.points();
-        page.text(words().points_of(
-            points,
-            self.figures.len(),
-            counts.right,
-            points - counts.right,
-        ));
+        let points = self.points();
+        let verdicts = self.figures.iter().map(|figure| figure.verdict);
+        let right = verdicts
+            .filter(|verdict| *verdict == FigureVerdict::Right)
+            .count();
+        page.text(words().points_of(points, self.figures.len(), right, points - right));
         for (figure, say) in [(self.first(), FIRST), (self.mistake(), MISTAKE)] {
             if let Some(figure) = figure {
                 page.text_below(say(&figure.quantity.name, &self.told(figure)));

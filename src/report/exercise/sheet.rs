@@ -1,10 +1,9 @@
 //! Writes the exercise sheet for students: the drawing, the given values, and tables to complete.
 
 use crate::page::{Content, Facts, Page, Table};
-use crate::report::check::DriverKind;
-use crate::report::input_facts::InputFacts;
-use crate::report::number::{concise, without_noughts};
+use crate::report::check::{CheckedScene, inputs_given};
 use crate::report::paper::{Report, ReportedState};
+use crate::report::text::number::{concise, without_noughts};
 use crate::scene::{Measure, Scene, Value, ValueOwner};
 use crate::solver::{Order, Solver, State};
 use crate::study::AnswerKey;
@@ -135,9 +134,7 @@ fn given(scene: &Scene, solver: &Solver, state: &State, reported: &ReportedState
     for slide in mechanism.slide_ids() {
         facts.tell(scene.slide_name(slide), slide_told(scene, slide, reported));
     }
-    let (kind, _) = DriverKind::of(scene, mechanism.driver().input);
-    let inputs = InputFacts::of(scene, solver.motion().range);
-    let inputs = inputs.iter().map(|input| input.given(kind, unit));
+    let inputs = inputs_given(&CheckedScene::new(scene, solver));
     facts.tell(
         words().driver(),
         [driver_told(scene, state)].into_iter().chain(inputs),

@@ -283,7 +283,7 @@ fn unasked_answers_earn_no_points() {
         "four-bar",
         "A.x 0\nr2.omega 15\nC.a.t 22495\nr3.angle 29.38",
     );
-    assert_eq!((graded.figures.len(), graded.counts().points()), (22, 1));
+    assert_eq!((graded.figures.len(), graded.points()), (22, 1));
     assert_eq!(graded.besides.len(), 3);
     assert_eq!(
         told_of(&graded),
@@ -775,7 +775,7 @@ fn windows_1254_is_decoded_and_reported() {
     let sheet = sheet_in_tests("four-bar-7.toml");
     let graded = graded_file(&sheet, None, &answers("cp1254.csv"));
     assert_eq!(graded.student, "Şükrü İğneci");
-    assert_eq!(graded.counts().points(), 22);
+    assert_eq!(graded.points(), 22);
     assert_eq!(graded.remarks.encoding.name(), "windows-1254");
     assert_eq!(graded.remarks.sentences().len(), 1);
 }
@@ -879,7 +879,7 @@ fn unrelated_mistakes_are_not_a_misread_value() {
         let rows: String = rows.collect();
         let graded = graded_by(&opened, start, rows.as_bytes());
         assert_eq!(graded.misread, None, "{rows}");
-        points += graded.counts().points();
+        points += graded.points();
     }
     // Of 440 answers a few are close by chance.
     assert!(points <= 8, "{points}");
@@ -917,7 +917,7 @@ fn zero_answer_earns_a_point() {
     let graded = graded_file(&sheet, None, &answers("om0.csv"));
     assert_eq!(verdict_of(&graded, "r3.omega"), FigureVerdict::Right);
     assert!(graded.besides.is_empty());
-    assert_eq!(graded.counts().points(), 3);
+    assert_eq!(graded.points(), 3);
 }
 
 /// Returns the symbols of the unknowns on a sheet.

@@ -6,7 +6,7 @@ use crate::Vec2;
 use crate::angle;
 use crate::drawing::{ArrowKind, DiagramArc, VectorDiagram};
 use crate::page::{Illustration, Page, Table};
-use crate::report::number::{direction, significant};
+use crate::report::text::number::{direction, significant};
 use crate::report::working::{LoopVector, LoopVectors, PointMotion, VectorFigure};
 use crate::solver::Order;
 use crate::wording::words;

@@ -28,7 +28,7 @@ pub(super) fn check(context: &Context<'_>, draft: &mut Draft) {
         let text = if part < f64::EPSILON / 2.0 {
             words().figures_do_not_differ().to_owned()
         } else {
-            let part = crate::report::number::upwards(part, 2);
+            let part = crate::report::text::number::upwards(part, 2);
             words().figures_differ(&part, symbol)
         };
         draft.page.text(text);

@@ -299,7 +299,11 @@ mod tests {
     use super::*;
 
     fn known(symbol: &str, value: f64) -> Expression {
-        Expression::known(symbol, crate::report::number::concise(value, 17), value)
+        Expression::known(
+            symbol,
+            crate::report::text::number::concise(value, 17),
+            value,
+        )
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Formats values in formulas.
 
-use crate::report::number::{concise, direction, significant};
+use crate::report::text::number::{concise, direction, significant};
 
 /// Significant digits, and the scene's unit of length.
 #[derive(Clone, Copy, Debug)]

@@ -188,7 +188,7 @@ impl MotorStudy {
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
         let report = match &self.studied.as_ref()?.found {
             FoundMotor::Cycle(report) => report,
-            FoundMotor::Period(period) => return curves_csv(&period.curves, dialect).ok(),
+            FoundMotor::Period(period) => return Some(curves_csv(&period.curves, dialect)),
             FoundMotor::Nothing(_) => return None,
         };
         report.duty.as_ref().ok()?;

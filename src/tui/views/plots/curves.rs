@@ -301,7 +301,7 @@ impl Plots {
 
     /// Returns the plotted curves as CSV; `None` if there are none.
     pub(crate) fn csv(&self, dialect: CsvDialect) -> Option<String> {
-        curves_csv(self.curves()?, dialect).ok()
+        Some(curves_csv(self.curves()?, dialect))
     }
 }
 

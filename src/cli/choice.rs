@@ -1,0 +1,32 @@
+//! Options whose values stand for values of the library.
+
+use crate::wording::{Wording, words};
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+
+/// A value of an option: its name and its aliases, separated by `|`, its description and its
+/// meaning.
+pub(super) type OptionValue<T> = (&'static str, Wording, T);
+
+/// The value of an option that is determined by krank itself if it is `auto`. The parser takes a
+/// field of the type `Option` for an option that may be left out.
+pub(super) type OrAuto<T> = Option<T>;
+
+/// Returns a parser of these values.
+pub(super) fn one_of<T>(choices: &'static [OptionValue<T>]) -> impl TypedValueParser<Value = T>
+where
+    T: Copy + Send + Sync + 'static,
+{
+    let values = choices.iter().map(|(names, about, _)| {
+        let mut names = names.split('|');
+        let value = PossibleValue::new(names.next().unwrap_or_default());
+        value.aliases(names).help(about(words()))
+    });
+    let values = PossibleValuesParser::new(values.collect::<Vec<_>>());
+    values.try_map(|name| value_named(choices, &name).ok_or(name))
+}
+
+/// Returns the value with this name.
+pub(super) fn value_named<T: Copy>(choices: &[OptionValue<T>], name: &str) -> Option<T> {
+    let is_named = |(names, ..): &&OptionValue<T>| names.split('|').any(|own| own == name);
+    choices.iter().find(is_named).map(|(.., value)| *value)
+}

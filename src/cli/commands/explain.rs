@@ -1,0 +1,103 @@
+//! `krank explain`: writes the solution of one state step by step.
+
+use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::commands::report::NOTATIONS;
+use crate::cli::failure::Failure;
+use crate::cli::output::{OutputArgs, write_text};
+use crate::cli::place::{PlaceArgs, note_near_misses, nothing_hidden, out_of_reach, place};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::drawing::{Glyphs, convergence};
+use crate::page::Content;
+use crate::report::{
+    Guess, PositionMethod, Report, ReportFormat, WorkedMethod, Working, WorkingNotation,
+};
+use crate::solver::{Condition, Order};
+use crate::wording::{Words, words};
+use clap::Args;
+
+/// The ways to fill the position table.
+const METHODS: [OptionValue<PositionMethod>; 4] = [
+    ("closed", <dyn Words>::method_closed, PositionMethod::Closed),
+    ("newton", <dyn Words>::method_newton, PositionMethod::Newton),
+    (
+        "bisection",
+        <dyn Words>::method_bisection,
+        PositionMethod::Bisection,
+    ),
+    (
+        "graphical",
+        <dyn Words>::method_graphical,
+        PositionMethod::Graphical,
+    ),
+];
+
+const FORMATS: [OptionValue<ReportFormat>; 2] = [
+    ("text", <dyn Words>::format_plain, ReportFormat::Text),
+    (
+        "markdown",
+        <dyn Words>::format_markdown,
+        ReportFormat::Markdown,
+    ),
+];
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ExplainArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().method_of_positions())]
+    #[arg(long, value_parser = one_of(&METHODS), default_value = "closed")]
+    method: PositionMethod,
+    #[arg(help = words().guess_of_vectors())]
+    #[arg(long, value_name = "NAME=VALUE", value_delimiter = ',')]
+    guess: Vec<Guess>,
+    #[arg(help = words().notation_of_working())]
+    #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "krank")]
+    notation: WorkingNotation,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_parser = one_of(&FORMATS), default_value = "text")]
+    format: ReportFormat,
+    #[arg(help = words().digits())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    digits: u8,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Size of the chart of errors below the tables of iterations, in columns and rows.
+const CHART: (u16, u16) = (80, 16);
+
+/// Writes the solution. Without an assembly, writes its possible part and returns the reason as an
+/// error.
+pub(in crate::cli) fn explain(args: &ExplainArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let at = place(&args.place, &scene, &solver, screen);
+    let mut state = solver.state();
+    let condition = solver.solve(at, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
+    let working = Working::new(&scene, &solver);
+    let (method, digits) = (args.method, usize::from(args.digits));
+    let stand = (&scene, &solver, state.state());
+    let worked = working.by(method, stand, &args.guess, digits, args.notation);
+    let WorkedMethod { mut page, curves } =
+        worked.map_err(|why| Failure::Usage(format!("--guess: {why}")))?;
+    if !curves.is_empty() {
+        let (cols, rows) = CHART;
+        let chart = convergence(&curves)
+            .render(cols, rows, Glyphs::Ascii)
+            .text();
+        page.part(words().errors_by_iteration());
+        page.add(Content::Characters(
+            chart.lines().map(str::to_owned).collect(),
+        ));
+    }
+    let text = Report { page }.written(args.format, screen.ascii);
+    write_text(args.output.output.as_deref(), &text)?;
+    if condition == Condition::NoAssembly {
+        return Err(out_of_reach(&scene, &solver, at));
+    }
+    note_near_misses(&scene, &solver, screen);
+    nothing_hidden(&scene, &state)
+}

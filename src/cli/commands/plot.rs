@@ -1,0 +1,235 @@
+//! `krank plot`: plots values over the driver coordinate, time or another value.
+
+use crate::Vec2;
+use crate::cli::choice::{OptionValue, OrAuto, one_of};
+use crate::cli::columns::{figures, named};
+use crate::cli::failure::{Failure, note};
+use crate::cli::foreign::measured;
+use crate::cli::output::{OutputArgs, write_text};
+use crate::cli::picture::{self, ASPECT, GLYPHS, Size};
+use crate::cli::place::note_near_misses;
+use crate::cli::rows::{first, last};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::drawing::Glyphs;
+use crate::drawing::plot::{Plot, PlotStyle};
+use crate::quantity::{Abscissa, Catalogue, Curves, Quantity};
+use crate::report::{WrittenDecimal, limits_text};
+use crate::scene::Scene;
+use crate::solver::{Condition, Range, Solver};
+use crate::study::{BandKind, ToleranceStudy};
+use crate::wording::{Words, words};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+/// The limits that may be drawn beside a curve.
+const BANDS: [OptionValue<BandKind>; 2] = [
+    ("worst", <dyn Words>::band_worst, BandKind::Worst),
+    (
+        "rss",
+        <dyn Words>::band_root_sum_square,
+        BandKind::RootSumSquare,
+    ),
+];
+
+/// How a plot is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub(in crate::cli) enum PictureFormat {
+    #[value(help = words().format_characters())]
+    #[default]
+    Text,
+    #[value(help = words().format_svg())]
+    Svg,
+}
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct PlotArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().columns_to_plot())]
+    #[arg(long, value_name = "PATTERNS", required = true)]
+    columns: Vec<String>,
+    #[arg(help = words().plot_against())]
+    #[arg(long, value_name = "NAME", default_value = "driver")]
+    against: String,
+    #[arg(help = words().measured_figures())]
+    #[arg(long, value_name = "FILE")]
+    measured: Option<PathBuf>,
+    #[arg(help = words().driver_begins())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    from: Option<WrittenDecimal>,
+    #[arg(help = words().driver_ends())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    to: Option<WrittenDecimal>,
+    #[arg(help = words().leave_extrema_out())]
+    #[arg(long)]
+    no_extrema: bool,
+    #[arg(help = words().band_of_tolerances())]
+    #[arg(long, value_parser = one_of(&BANDS))]
+    band: Option<BandKind>,
+    #[arg(help = words().characters_to_draw_with())]
+    #[arg(long, value_parser = one_of(&GLYPHS), default_value = "auto")]
+    glyphs: OrAuto<Glyphs>,
+    #[arg(help = words().size_of_plot())]
+    #[arg(long, value_name = "COLSxROWS")]
+    size: Option<Size>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t)]
+    format: PictureFormat,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Default size of an SVG in characters, and the size of a character in its units.
+pub(in crate::cli) const SVG: Size = Size {
+    cols: 100,
+    rows: 40,
+};
+pub(in crate::cli) const CHARACTER: Vec2 = Vec2 { x: 8.0, y: 16.0 };
+
+pub(in crate::cli) fn plot(args: &PlotArgs, screen: TextScreen) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let mut catalogue = Catalogue::new(&scene);
+    let figures = figures(&mut catalogue, &args.columns)?;
+    let figures: Vec<Quantity> = figures
+        .into_iter()
+        .filter(|q| q != catalogue.driver())
+        .collect();
+    if figures.is_empty() {
+        return Err(Failure::Usage(words().no_figures_to_plot().into()));
+    }
+    let abscissa = abscissa(&mut catalogue, &args.against)?;
+    let range = solver.motion().range;
+    let window = window(args, range)?;
+    let curves = Curves::new(&scene, &solver, &figures, abscissa, window).map_err(|e| {
+        let option = format!("--against {}", args.against.trim());
+        Failure::Cannot(words().of_option(&option, &e))
+    })?;
+    judge(&curves, &limits_text(range, catalogue.driver()), screen)?;
+    note_near_misses(&scene, &solver, screen);
+    let mut drawn = Plot::of(&curves);
+    if let Some(file) = &args.measured {
+        if curves.abscissa != Abscissa::Driver {
+            return Err(Failure::Usage(words().measured_over_driver().into()));
+        }
+        let output = args.output.output.as_deref();
+        let found = measured(file, output, &catalogue, Some(&figures), screen)?;
+        if let Some(left_out) = found.left_out() {
+            note(&left_out, screen);
+        }
+        for (k, figure) in found.figures().iter().enumerate() {
+            let name = words().measured_of(&figure.name);
+            drawn.mark(&figure.unit, &name, &found.points(k));
+        }
+    }
+    if let Some(band) = args.band {
+        add_band(&mut drawn, &curves, (&scene, &solver), &figures, band)?;
+    }
+    let text = match args.format {
+        PictureFormat::Text => text(args, &drawn, screen)?,
+        PictureFormat::Svg => {
+            let Size { cols, rows } = args.size.unwrap_or(SVG);
+            let size = Vec2::new(f64::from(cols) * CHARACTER.x, f64::from(rows) * CHARACTER.y);
+            drawn.svg(&scene.name, size, !args.no_extrema, None)
+        }
+    };
+    write_text(args.output.output.as_deref(), &text)?;
+    match &curves.hidden {
+        None => Ok(()),
+        Some(hidden) => Err(Failure::Cannot(hidden.text(&catalogue.driver().unit))),
+    }
+}
+
+/// Draws the deviation of the values permitted by the scene's tolerances as a band.
+fn add_band(
+    plot: &mut Plot,
+    curves: &Curves,
+    (scene, solver): (&Scene, &Solver),
+    figures: &[Quantity],
+    band: BandKind,
+) -> Result<(), Failure> {
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), figures);
+    let mut study = study.map_err(|why| Failure::Cannot(why.to_string()))?;
+    let offsets = study.band(&curves.at, band);
+    for (figure, offsets) in offsets.iter().enumerate() {
+        let name = format!("{} {}", figures[figure].name, band.word());
+        plot.add_band(curves, figure, offsets, name);
+    }
+    Ok(())
+}
+
+fn text(args: &PlotArgs, plot: &Plot, screen: TextScreen) -> Result<String, Failure> {
+    let Size { cols, rows } = picture::size(args.size, args.output.output.as_deref());
+    let look = PlotStyle {
+        cols,
+        // Every panel gets its minimum height, because the length of paper is unlimited.
+        rows: rows
+            .max(plot.least_rows())
+            .min(if args.size.is_some() { rows } else { u16::MAX }),
+        glyphs: picture::glyphs(args.glyphs),
+        aspect: ASPECT,
+        extrema: !args.no_extrema,
+        first: 0,
+    };
+    if !plot.fits(&look) {
+        return Err(Failure::Usage(words().too_small_for_plot(cols, rows)));
+    }
+    let hidden = plot.panels.len() - plot.panels_in(look.rows);
+    if hidden > 0 {
+        let all = plot.least_rows();
+        note(&words().panels_without_room(hidden, cols, all), screen);
+    }
+    Ok(picture::lettered(
+        plot.render(&look, None).text(),
+        look.glyphs,
+    ))
+}
+
+/// Parses the quantity on the x axis.
+fn abscissa(catalogue: &mut Catalogue, name: &str) -> Result<Abscissa, Failure> {
+    let name = name.trim();
+    if name == "driver" || name == catalogue.driver().name {
+        return Ok(Abscissa::Driver);
+    }
+    if name == "time" {
+        return Ok(Abscissa::Time);
+    }
+    let mut named = named(catalogue, "--against", name)?;
+    match (named.pop(), named.len()) {
+        (Some(figure), 0) => Ok(Abscissa::Figure(figure)),
+        (_, more) => Err(Failure::Usage(words().one_along_x(name, more + 1))),
+    }
+}
+
+/// Returns the requested part of the motion; `None` for all of it.
+fn window(args: &PlotArgs, range: Range) -> Result<Option<(f64, f64)>, Failure> {
+    if args.from.is_none() && args.to.is_none() {
+        return Ok(None);
+    }
+    let from = args.from.map_or(first(range, false), |from| from.value());
+    let to = args.to.map_or(last(range, false, from), |to| to.value());
+    if from == to {
+        return Err(Failure::Usage(words().no_way_between(from)));
+    }
+    Ok(Some((from, to)))
+}
+
+/// Reports values that do not exist. A plot without any values is an error.
+fn judge(curves: &Curves, range: &str, screen: TextScreen) -> Result<(), Failure> {
+    let all = curves.conditions.len();
+    let outside = |c: &&Condition| **c == Condition::NoAssembly;
+    let outside = curves.conditions.iter().filter(outside).count();
+    if outside == all {
+        return Err(Failure::Cannot(words().plot_outside(range)));
+    }
+    if outside > 0 {
+        note(&words().plot_partly_outside(range), screen);
+    }
+    for curve in &curves.curves {
+        if curve.values.iter().all(Option::is_none) {
+            let name = &curve.quantity.name;
+            note(&words().has_no_value_anywhere(name), screen);
+        }
+    }
+    Ok(())
+}

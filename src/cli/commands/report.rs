@@ -1,0 +1,102 @@
+//! `krank report`: writes the solution of one state as a document.
+
+use crate::cli::choice::{OptionValue, one_of};
+use crate::cli::failure::Failure;
+use crate::cli::foreign::foreign;
+use crate::cli::output::{OutputArgs, file, write_text};
+use crate::cli::place::{PlaceArgs, note_near_misses, nothing_hidden, out_of_reach, place};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene, keep_file_apart};
+use crate::report::{Report, ReportFormat, WorkingNotation};
+use crate::solver::{Condition, Order};
+use crate::wording::{Words, words};
+use clap::{Args, ValueHint};
+use std::path::{Path, PathBuf};
+
+/// The formats of reports.
+pub(in crate::cli) const FORMATS: [OptionValue<ReportFormat>; 4] = [
+    ("html", <dyn Words>::format_html, ReportFormat::Html),
+    ("latex", <dyn Words>::format_latex, ReportFormat::Latex),
+    (
+        "markdown",
+        <dyn Words>::format_markdown,
+        ReportFormat::Markdown,
+    ),
+    ("text", <dyn Words>::format_plain, ReportFormat::Text),
+];
+
+/// The notations of unit vectors in the working.
+pub(in crate::cli) const NOTATIONS: [OptionValue<WorkingNotation>; 2] = [
+    (
+        "lecture",
+        <dyn Words>::notation_lecture,
+        WorkingNotation::Lecture,
+    ),
+    ("krank", <dyn Words>::notation_krank, WorkingNotation::Krank),
+];
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct ReportArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().notation_of_working())]
+    #[arg(long, value_parser = one_of(&NOTATIONS), default_value = "lecture")]
+    notation: WorkingNotation,
+    #[arg(help = words().format_of_report())]
+    #[arg(long, value_parser = one_of(&FORMATS))]
+    format: Option<ReportFormat>,
+    #[arg(help = words().digits())]
+    #[arg(long, value_name = "N", default_value_t = 6, value_parser = clap::value_parser!(u8).range(1..=17))]
+    digits: u8,
+    #[arg(help = words().against_figures())]
+    #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath)]
+    against: Option<PathBuf>,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Writes the report. Without an assembly, writes its possible part and returns the reason as an
+/// error.
+pub(in crate::cli) fn report(args: &ReportArgs, screen: TextScreen) -> Result<(), Failure> {
+    let path = args.output.output.as_deref();
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let format = format(args.format, path)?;
+    if let Some(file) = &args.against {
+        keep_file_apart(file, path)?;
+    }
+    let at = place(&args.place, &scene, &solver, screen);
+    let mut state = solver.state();
+    let condition = solver.solve(at, Order::Force, &mut state);
+    solver.enclose(&mut state, Order::Force, &mut solver.enclosure());
+    let digits = usize::from(args.digits);
+    let mut report = Report::in_notation(&scene, &solver, &state, digits, args.notation);
+    if let Some(file) = &args.against {
+        report.add_beside(
+            &foreign(file, screen)?,
+            (&scene, &solver, state.state()),
+            digits,
+        );
+    }
+    write_text(path, &report.written(format, screen.ascii))?;
+    if condition == Condition::NoAssembly {
+        return Err(out_of_reach(&scene, &solver, at));
+    }
+    note_near_misses(&scene, &solver, screen);
+    nothing_hidden(&scene, &state)
+}
+
+/// Returns the requested format, or the one of the file's extension, or HTML without an extension.
+/// An unknown extension is an error, because the file's contents would not match it.
+fn format(asked: Option<ReportFormat>, path: Option<&Path>) -> Result<ReportFormat, Failure> {
+    let ending = file(path).and_then(Path::extension);
+    match (asked, file(path), ending) {
+        (Some(asked), ..) => Ok(asked),
+        (None, Some(path), Some(ending)) => ReportFormat::of_ending(path).ok_or_else(|| {
+            let ending = ending.to_string_lossy();
+            Failure::Usage(words().no_report_has_ending(&ending))
+        }),
+        _ => Ok(ReportFormat::default()),
+    }
+}

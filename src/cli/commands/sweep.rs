@@ -1,0 +1,204 @@
+//! `krank sweep`: writes values row by row over the motion.
+
+use crate::cli::columns::figures;
+use crate::cli::failure::{Failure, note};
+use crate::cli::foreign::measured;
+use crate::cli::formats::{FigureArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, goes_to_terminal, write_to};
+use crate::cli::place::{check_derivative_count, note_lacking, note_near_misses, note_unproved};
+use crate::cli::progress::Progress;
+use crate::cli::rows::{RowEnds, clock, steps, tell_of_motion, times};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::quantity::{Catalogue, Quantity};
+use crate::report::{
+    Columns, ExtraColumns, Missing, RowFormat, Sweep, SweepOutcome, WrittenDecimal, limits_text,
+};
+use crate::scene::Scene;
+use crate::solver::{Order, Range};
+use crate::study::motor;
+use crate::wording::words;
+use clap::Args;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct SweepArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[arg(help = words().first_row())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    from: Option<WrittenDecimal>,
+    #[arg(help = words().last_row())]
+    #[arg(long, value_name = "COORDINATE", allow_hyphen_values = true)]
+    to: Option<WrittenDecimal>,
+    #[arg(help = words().row_to_row())]
+    #[arg(long, value_name = "STEP", allow_hyphen_values = true)]
+    step: Option<WrittenDecimal>,
+    #[arg(help = words().rows_over_time())]
+    #[arg(long, conflicts_with_all = ["measured", "sensitivity"])]
+    time: bool,
+    #[arg(help = words().columns_or_all())]
+    #[arg(long, value_name = "PATTERNS")]
+    columns: Vec<String>,
+    #[arg(help = words().measured_figures())]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["from", "to", "step", "bounds", "sensitivity"])]
+    measured: Option<PathBuf>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Csv)]
+    format: OutputFormat,
+    #[command(flatten)]
+    figures: FigureArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Default step of a turning driver, in degrees.
+const STEP: f64 = 1.0;
+
+pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), Failure> {
+    let digits = usize::from(args.figures.digits);
+    let format = args.figures.csv.rows(args.format, digits)?;
+    let opened = args.scene.open_for(&args.output)?;
+    if let Some(file) = &args.measured {
+        return beside(file, args, format, &opened, screen);
+    }
+    let SolvableScene { scene, solver } = opened;
+    let mut catalogue = Catalogue::new(&scene);
+    let figures = figures(&mut catalogue, &args.columns)?;
+    let columns = Columns::new(catalogue.driver(), &figures, !args.figures.no_units);
+    let besides = ExtraColumns {
+        bounds: args.figures.bounds,
+        sensitivity: args.figures.sensitivity,
+    };
+    if besides.sensitivity {
+        check_derivative_count(&scene, figures.len())?;
+    }
+    let columns = columns.with(besides, scene.unit.symbol());
+    let range = solver.motion().range;
+    let ends = RowEnds {
+        from: args.from,
+        to: args.to,
+        step: args.step,
+    };
+    let clock = args.time.then(|| clock(&scene)).transpose()?;
+    let (columns, steps) = match &clock {
+        Some(clock) => (columns.over_time(), times(clock.span(range), ends)?),
+        None => {
+            tell_of_motion(&scene, screen);
+            let range = whole(&scene, range, &figures);
+            (columns, steps(&scene, range, ends, STEP)?)
+        }
+    };
+    let sweep = Sweep {
+        scene: &scene,
+        solver: &solver,
+        columns: &columns,
+        steps: &steps,
+        clock: clock.as_ref(),
+        format,
+    };
+    let path = args.output.output.as_deref();
+    let mut progress = Progress::new(
+        steps.count(),
+        words().rows(),
+        screen,
+        goes_to_terminal(path),
+    );
+    let outcome = write_to(path, |out| {
+        sweep.write(out, &mut |rows| progress.tell(rows))
+    });
+    progress.end();
+    let outcome = outcome?;
+    note_near_misses(&scene, &solver, screen);
+    let driver = catalogue.driver();
+    judge(&outcome, &limits_text(range, driver), screen)?;
+    match &outcome.first_hidden {
+        None => Ok(()),
+        Some(first) => Err(Failure::Cannot(words().rows_withheld(
+            outcome.hidden,
+            outcome.rows,
+            &first.text(&driver.unit),
+        ))),
+    }
+}
+
+/// Reports rows without values. A sweep without any values is an error.
+fn judge(outcome: &SweepOutcome, range: &str, screen: TextScreen) -> Result<(), Failure> {
+    let &SweepOutcome {
+        rows,
+        valued,
+        missing,
+        ..
+    } = outcome;
+    note_missing(missing, valued, screen);
+    if valued == rows {
+        return Ok(());
+    }
+    if valued == 0 {
+        return Err(Failure::Cannot(words().no_row_in_motion(range)));
+    }
+    let outside = rows - valued;
+    note(&words().rows_outside(outside, rows, range), screen);
+    Ok(())
+}
+
+/// Reports missing error bounds and derivatives.
+fn note_missing(missing: Missing, valued: u64, screen: TextScreen) {
+    note_unproved(missing.unproved, missing.figures, screen);
+    if missing.unanswered > 0 {
+        let rows = missing.unanswered;
+        note(
+            &words().rows_without_answer(rows, valued, words().no_derivatives_by_lengths()),
+            screen,
+        );
+    }
+    note_lacking(missing.lacking, missing.asked, screen);
+}
+
+/// Returns the default range of a sweep: the motion, repeated for as many periods as the loads need
+/// to repeat if forces are included.
+fn whole(scene: &Scene, range: Range, figures: &[Quantity]) -> Range {
+    let has_forces = figures.iter().any(|q| q.order() == Order::Force);
+    let repeats = motor::repeats(&scene.mechanism, range).filter(|_| has_forces);
+    match (range, repeats) {
+        (Range::Full { period }, Some(times)) => Range::Full {
+            period: period * f64::from(times),
+        },
+        _ => range,
+    }
+}
+
+/// Runs `krank sweep --measured`: writes a row for each row of the file.
+fn beside(
+    file: &Path,
+    args: &SweepArgs,
+    format: RowFormat,
+    opened: &SolvableScene,
+    screen: TextScreen,
+) -> Result<(), Failure> {
+    let SolvableScene { scene, solver } = opened;
+    let output = args.output.output.as_deref();
+    let mut catalogue = Catalogue::new(scene);
+    let of = match args.columns.is_empty() {
+        true => None,
+        false => Some(figures(&mut catalogue, &args.columns)?),
+    };
+    let found = measured(file, output, &catalogue, of.as_deref(), screen)?;
+    let is_told = matches!(format, RowFormat::Text { .. });
+    if !(is_told || found.strangers().is_empty()) {
+        note(&words().not_compared(&found.strangers().join(", ")), screen);
+    }
+    if let Some(left_out) = found.left_out().filter(|_| !is_told) {
+        note(&left_out, screen);
+    }
+    let written = (format, !args.figures.no_units);
+    let outcome = write_to(output, |out| {
+        found.write((scene, solver), written, screen.ascii, out)
+    })?;
+    match outcome.valued {
+        0 => Err(Failure::Cannot(words().no_row_in_motion(
+            &crate::report::limits_text(solver.motion().range, catalogue.driver()),
+        ))),
+        _ => Ok(()),
+    }
+}

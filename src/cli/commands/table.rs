@@ -1,0 +1,108 @@
+//! The commands that need only a few lines each.
+
+use crate::cli::columns::figures;
+use crate::cli::failure::{Failure, note};
+use crate::cli::formats::{FigureArgs, OutputFormat};
+use crate::cli::output::{OutputArgs, write_to};
+use crate::cli::place::{
+    PlaceArgs, check_derivative_count, none_hidden, note_lacking, note_near_misses, note_unproved,
+    nothing_hidden, out_of_reach, place,
+};
+use crate::cli::rows::{clock, tell_of_motion};
+use crate::cli::screen::TextScreen;
+use crate::cli::source::{SceneArgs, SolvableScene};
+use crate::quantity::{Catalogue, Sensitivity};
+use crate::report::{Answers, FigureList, Forces, TableStyle, Tables, WrittenDecimal};
+use crate::solver::{Condition, Order};
+use crate::wording::words;
+use clap::Args;
+
+#[derive(Debug, Args)]
+pub(in crate::cli) struct TableArgs {
+    #[command(flatten)]
+    scene: SceneArgs,
+    #[command(flatten)]
+    place: PlaceArgs,
+    #[arg(help = words().moment_of_motion())]
+    #[arg(long, value_name = "SECONDS", allow_hyphen_values = true, conflicts_with_all = ["at", "sensitivity"])]
+    time: Option<WrittenDecimal>,
+    #[arg(help = words().columns_of_table())]
+    #[arg(long, value_name = "PATTERNS")]
+    columns: Vec<String>,
+    #[arg(help = words().how_to_write())]
+    #[arg(long, value_enum, default_value_t = OutputFormat::Text)]
+    format: OutputFormat,
+    #[command(flatten)]
+    figures: FigureArgs,
+    #[command(flatten)]
+    output: OutputArgs,
+}
+
+/// Runs `krank table`: prints positions, velocities, accelerations and loads at one driver
+/// coordinate.
+pub(in crate::cli) fn table(args: &TableArgs, screen: TextScreen) -> Result<(), Failure> {
+    let dialect = args.figures.csv.dialect(args.format)?;
+    let SolvableScene { scene, solver } = args.scene.open_for(&args.output)?;
+    let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
+    let at = match args.time {
+        Some(time) => {
+            let moment = clock(&scene)?.moment(time.value(), solver.motion().range);
+            solver.drive(&mut state, &moment);
+            solver.drive(&mut enclosure, &moment);
+            moment.at
+        }
+        None => {
+            tell_of_motion(&scene, screen);
+            place(&args.place, &scene, &solver, screen)
+        }
+    };
+    if solver.solve(at, Order::Force, &mut state) == Condition::NoAssembly {
+        return Err(out_of_reach(&scene, &solver, at));
+    }
+    note_near_misses(&scene, &solver, screen);
+    solver.enclose(&mut state, Order::Force, &mut enclosure);
+    let mut tables = Tables::bounded(&scene, &state, &enclosure);
+    tables.forces = Forces::new(&scene, &solver, &state, Some(&enclosure));
+    let mut catalogue = Catalogue::new(&scene);
+    let named = match args.columns.is_empty() {
+        true => None,
+        false => Some(figures(&mut catalogue, &args.columns)?),
+    };
+    if args.figures.sensitivity {
+        let asked = named.clone().unwrap_or_else(|| catalogue.figures());
+        check_derivative_count(&scene, asked.len())?;
+        let mut sensitivity = Sensitivity::new(&scene, &solver, &asked);
+        let answers = Answers::at(&mut sensitivity, tables.unit, at);
+        if answers.list.is_none() {
+            note(words().no_derivatives_by_lengths(), screen);
+        }
+        note_lacking(answers.lacking as u64, answers.asked() as u64, screen);
+        tables.answers = Some(answers);
+    }
+    let list = named.map(|named| FigureList::new(&tables, &named, &state, &enclosure));
+    if args.figures.bounds {
+        let unproved = list.as_ref().map(FigureList::unproved);
+        let (figures, unproved) = unproved.unwrap_or_else(|| tables.unproved());
+        note_unproved(unproved, figures, screen);
+    }
+    let style = TableStyle {
+        digits: usize::from(args.figures.digits),
+        units: !args.figures.no_units,
+        bounds: args.figures.bounds,
+        ascii: screen.ascii,
+    };
+    write_to(args.output.output.as_deref(), |out| {
+        match (args.format, &list) {
+            (OutputFormat::Text, None) => out.write_all(tables.to_text(style).as_bytes()),
+            (OutputFormat::Text, Some(list)) => out.write_all(list.to_text(style).as_bytes()),
+            (OutputFormat::Csv, None) => tables.write_csv(style, dialect, out),
+            (OutputFormat::Csv, Some(list)) => list.write_csv(style, dialect, out),
+            (OutputFormat::Json, None) => writeln!(out, "{:#}", tables.to_json(style)),
+            (OutputFormat::Json, Some(list)) => writeln!(out, "{:#}", list.to_json(style)),
+        }
+    })?;
+    match &list {
+        None => nothing_hidden(&scene, &state),
+        Some(list) => none_hidden(list.quantities(), &catalogue, &state),
+    }
+}

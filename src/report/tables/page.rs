@@ -1,0 +1,240 @@
+//! Formats the tables as a page.
+
+use crate::page::{Page, Setting, Table, TextStyle};
+use crate::quantity::{Aspect, state_word};
+use crate::report::tables::entry::Entry;
+use crate::report::tables::{ORDERS, Tables, VectorColumn};
+use crate::report::text::number::{concise, direction, significant, upwards};
+use crate::scene::from_seat;
+use crate::solver::Order;
+use crate::wording::words;
+
+/// The style of tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TableStyle {
+    /// Significant digits of text; CSV and JSON have all digits.
+    pub digits: usize,
+    /// Whether units are shown.
+    pub units: bool,
+    /// Whether error bounds are shown; in text they are in a line below the values.
+    pub bounds: bool,
+    /// Whether the scene's title is restricted to ASCII in text; the rest always is ASCII.
+    pub ascii: bool,
+}
+
+impl Tables {
+    /// Formats the tables as text: a column per vector, then a line per point.
+    #[must_use]
+    pub fn to_text(&self, style: TableStyle) -> String {
+        self.page(style).to_text(TextStyle::plain(style.ascii))
+    }
+
+    /// Returns the tables as a page: a column per vector, then a line per point.
+    #[must_use]
+    pub fn page(&self, style: TableStyle) -> Page {
+        let writer = TablesWriter::new(self, style);
+        let mut page = Page::default();
+        writer.add_heading(&mut page);
+        for order in ORDERS {
+            page.table(writer.vector_table(order));
+        }
+        writer.add_legend(&mut page);
+        if !self.points.is_empty() {
+            for order in ORDERS {
+                page.table(writer.point_table(order));
+            }
+        }
+        if let Some(forces) = &self.forces {
+            writer.add_forces(forces, &mut page);
+        }
+        if let Some(answers) = &self.answers {
+            page.add(answers.clone().worth_reading().content(style.units));
+        }
+        page
+    }
+}
+
+/// Widths of the labels, which align the tables below each other.
+pub(in crate::report) const VECTOR_LABELS: usize = "alpha [rad/s^2]".len() + 2;
+pub(in crate::report) fn point_labels() -> usize {
+    let titles = ORDERS.map(|order| words().of_points(title(order)).chars().count());
+    titles.into_iter().max().unwrap_or(0)
+}
+
+/// Returns a layout with these minimum widths of names and columns.
+pub(in crate::report) fn set(names: usize, columns: usize) -> Setting {
+    Setting {
+        names,
+        least: vec![columns],
+        ..Setting::default()
+    }
+}
+
+/// The label of a line of bounds, and their significant digits.
+pub(in crate::report) const BOUND: &str = "  +-";
+const BOUND_DIGITS: usize = 2;
+
+/// Returns the title of a table.
+fn title(order: Order) -> &'static str {
+    match order {
+        Order::Position => words().position(),
+        Order::Velocity => words().velocity(),
+        Order::Acceleration | Order::Force => words().acceleration(),
+    }
+}
+
+pub(in crate::report) struct TablesWriter<'a> {
+    tables: &'a Tables,
+    pub(in crate::report) style: TableStyle,
+}
+
+impl<'a> TablesWriter<'a> {
+    pub(in crate::report) fn new(tables: &'a Tables, style: TableStyle) -> Self {
+        TablesWriter { tables, style }
+    }
+}
+
+impl TablesWriter<'_> {
+    /// Adds the title, the driver's line and the state.
+    pub(in crate::report) fn add_heading(&self, page: &mut Page) {
+        let driver = &self.tables.driver;
+        let aspects = driver.aspects();
+        // The coordinate has all its digits; rates converted from rpm or deg/s may have meaningless
+        // ones.
+        let digits = [usize::MAX, self.style.digits, self.style.digits];
+        let [at, speed, acceleration]: [String; 3] = std::array::from_fn(|i| {
+            let value = concise(driver.values[i], digits[i]);
+            format!("{value} {}", aspects[i].unit(self.tables.unit))
+        });
+        page.title(&words().translated_scene_text(&self.tables.scene));
+        let name = from_seat(&driver.name, driver.from.as_deref());
+        page.text_below(words().driver_at(&name, &at, &speed, &acceleration));
+        page.text_below(
+            words().state_is(&words().condition_called(state_word(self.tables.condition))),
+        );
+    }
+
+    /// Returns `name [unit]`, or the name alone.
+    pub(in crate::report) fn label(&self, name: &str, aspect: Aspect) -> String {
+        if self.style.units {
+            format!("{name} [{}]", aspect.unit(self.tables.unit))
+        } else {
+            name.to_owned()
+        }
+    }
+
+    /// Returns the name of a column of directions.
+    pub(in crate::report) fn direction(&self) -> String {
+        self.label(words().direction(), Aspect::Angle)
+    }
+
+    fn vector_table(&self, order: Order) -> Table {
+        let [length, turning] = match order {
+            Order::Position => [("r", Aspect::Length), ("theta", Aspect::Angle)],
+            Order::Velocity => [("dr/dt", Aspect::Rate), ("omega", Aspect::Omega)],
+            Order::Acceleration | Order::Force => {
+                [("d2r/dt2", Aspect::Accel), ("alpha", Aspect::Alpha)]
+            }
+        };
+        let vectors = &self.tables.vectors;
+        // Sign, point and star besides the digits.
+        let names = vectors.iter().map(|v| format!("{} ", v.name));
+        let setting = set(VECTOR_LABELS, self.style.digits + 3);
+        let mut table = Table::new(title(order), names).set(setting);
+        let mut row = |label: String, cell: &dyn Fn(&VectorColumn) -> String| {
+            table.row(label, vectors.iter().map(cell));
+        };
+        let lengths = |v: &VectorColumn| v.length.map_or(Entry::NONE, |l| l[index(order)]);
+        let turnings = |v: &VectorColumn| v.direction[index(order)];
+        row(self.label(length.0, length.1), &|v| {
+            self.entry(lengths(v), length.1)
+        });
+        if self.style.bounds {
+            row(BOUND.into(), &|v| shown_bound(lengths(v)) + " ");
+        }
+        row(self.label(turning.0, turning.1), &|v| {
+            self.entry(turnings(v), turning.1)
+        });
+        if self.style.bounds {
+            row(BOUND.into(), &|v| shown_bound(turnings(v)) + " ");
+        }
+        table
+    }
+
+    /// Formats an entry: a star marks a computed value; a blank keeps given ones aligned.
+    fn entry(&self, entry: Entry, aspect: Aspect) -> String {
+        let mark = if entry.given || entry.value.is_none() {
+            ' '
+        } else {
+            '*'
+        };
+        format!("{}{mark}", self.figure(entry, aspect))
+    }
+
+    pub(in crate::report) fn figure(&self, entry: Entry, aspect: Aspect) -> String {
+        shown(entry, aspect == Aspect::Angle, self.style.digits)
+    }
+
+    fn add_legend(&self, page: &mut Page) {
+        let found = words().stars_are_found();
+        let bounds = words().bounds_are();
+        let is_told = [!self.tables.vectors.is_empty(), self.style.bounds];
+        let told = [found, bounds].into_iter().zip(is_told);
+        let mut told = told.filter_map(|(text, is_told)| is_told.then_some(text));
+        if let Some(first) = told.next() {
+            page.text(first);
+        }
+        told.for_each(|text| page.text_below(text));
+    }
+
+    fn point_table(&self, order: Order) -> Table {
+        let (names, aspect) = match order {
+            Order::Position => (["x", "y", "r"], Aspect::X),
+            Order::Velocity => (["vx", "vy", "v"], Aspect::Vx),
+            Order::Acceleration | Order::Force => (["ax", "ay", "a"], Aspect::Ax),
+        };
+        let headers = names.map(|name| self.label(name, aspect));
+        let headers = headers.into_iter().chain([self.direction()]);
+        let setting = set(point_labels(), self.style.digits + 2);
+        let mut table = Table::new(words().of_points(title(order)), headers).set(setting);
+        for point in &self.tables.points {
+            let plane = point.motion[index(order)];
+            let entries = plane.map_or([Entry::NONE; 4], |plane| plane.entries(point.fixed));
+            let aspects = [aspect, aspect, aspect, Aspect::Angle];
+            let cells = entries.into_iter().zip(aspects);
+            let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
+            table.row(point.name.as_str(), cells);
+            if self.style.bounds {
+                table.row(BOUND, entries.map(|entry| shown_bound(entry)));
+            }
+        }
+        table
+    }
+}
+
+/// Formats a value: zero if it is small and within its error bound.
+pub(in crate::report) fn shown(entry: Entry, is_direction: bool, digits: usize) -> String {
+    match entry.seen() {
+        None => "-".into(),
+        Some(value) if is_direction => direction(value, digits),
+        Some(value) => significant(value, digits),
+    }
+}
+
+/// Formats the error bound of a value; empty for a missing value.
+pub(in crate::report) fn shown_bound(entry: Entry) -> String {
+    match (entry.value, entry.seen_bound()) {
+        (None, _) => String::new(),
+        (Some(_), None) => "?".into(),
+        (Some(_), Some(bound)) => upwards(bound, BOUND_DIGITS),
+    }
+}
+
+/// Returns the index of an order in the entries.
+pub(in crate::report) fn index(order: Order) -> usize {
+    match order {
+        Order::Position => 0,
+        Order::Velocity => 1,
+        Order::Acceleration | Order::Force => 2,
+    }
+}
