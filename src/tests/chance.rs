@@ -1,19 +1,19 @@
-//! Generates reproducible random numbers.
+//! Random numbers for tests, from the kernel's generator.
 
-/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
-pub(crate) struct Chance(pub(crate) u64);
+use crate::numeric::SeededRng;
+
+/// A generator that returns the same numbers for the same seed.
+pub(crate) struct Chance(SeededRng);
 
 impl Chance {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+    pub(crate) fn new(seed: u64) -> Chance {
+        Chance(SeededRng::new(seed))
     }
 
     /// Returns a number below `count`, or 0 if `count` is 0.
     pub(crate) fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(count.max(1)).unwrap()).unwrap()
+        let last = u32::try_from(count.saturating_sub(1)).unwrap();
+        self.0.between(0, last) as usize
     }
 
     /// Returns a number below `count` as `u16`.
@@ -24,8 +24,7 @@ impl Chance {
 
     /// Returns a number from `low` to `high`.
     pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
-        let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        low + part * (high - low)
+        self.0.within(low, high)
     }
 
     /// Returns any byte.
@@ -35,6 +34,6 @@ impl Chance {
 
     /// Returns one of several elements.
     pub(crate) fn one_of<'a, T>(&mut self, all: &'a [T]) -> &'a T {
-        &all[self.below(all.len())]
+        self.0.one_of(all).unwrap()
     }
 }

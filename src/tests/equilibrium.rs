@@ -112,7 +112,7 @@ fn check(name: &str, solver: &Solver, chance: &mut Chance) {
 
 #[test]
 fn presets_are_in_equilibrium_under_random_loads() {
-    let mut chance = Chance(7);
+    let mut chance = Chance::new(7);
     for preset in presets::all() {
         let text = loaded(preset.text, &mut chance);
         let scene = Scene::parse(&text, preset.name).unwrap_or_else(|e| panic!("{e}\n{text}"));
@@ -125,7 +125,7 @@ fn presets_are_in_equilibrium_under_random_loads() {
 /// are skipped.
 #[test]
 fn linkages_with_random_lengths_are_in_equilibrium() {
-    let mut chance = Chance(8);
+    let mut chance = Chance::new(8);
     let mut opened = 0;
     for preset in presets::all().iter().cycle().take(200) {
         let text = loaded(preset.text, &mut chance);
@@ -457,7 +457,7 @@ Z = [200, 200]
 /// The expected reactions follow from the self-stresses, computed by hand.
 #[test]
 fn only_reactions_of_redundant_constraints_are_indeterminate() {
-    let mut chance = Chance(11);
+    let mut chance = Chance::new(11);
     for (name, text, open) in REDUNDANT {
         let text = loaded(text, &mut chance);
         let scene = Scene::parse(&text, name).unwrap_or_else(|e| panic!("{e}\n{text}"));
@@ -478,7 +478,7 @@ fn only_reactions_of_redundant_constraints_are_indeterminate() {
 
 #[test]
 fn rare_guides_and_locks_are_in_equilibrium() {
-    let mut chance = Chance(10);
+    let mut chance = Chance::new(10);
     for (name, text) in RARE {
         let text = loaded(text, &mut chance);
         let scene = Scene::parse(&text, name).unwrap_or_else(|e| panic!("{e}\n{text}"));
@@ -491,7 +491,7 @@ fn rare_guides_and_locks_are_in_equilibrium() {
 /// Compares with a solution in twice the precision.
 #[test]
 fn force_error_never_exceeds_its_bound() {
-    let mut chance = Chance(9);
+    let mut chance = Chance::new(9);
     let presets = presets::all().iter().map(|p| (p.name, p.text));
     for (name, text) in presets.chain(RARE) {
         let text = loaded(text, &mut chance);

@@ -44,7 +44,7 @@ impl Fuzz<'_> {
         let (known, begun) = (pool.len(), Instant::now());
         let asked = std::env::var("KRANK_FUZZ").ok();
         let time = asked.and_then(|seconds| seconds.parse().ok());
-        let mut chance = Chance(time.map_or(1, |_| now()));
+        let mut chance = Chance::new(time.map_or(1, |_| now()));
         let mut runs = 0_u64;
         while time.map_or(runs < self.runs, |time| {
             begun.elapsed() < Duration::from_secs(time)

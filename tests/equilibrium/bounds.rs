@@ -171,7 +171,7 @@ fn bounds_hold_in_every_topology() {
         if held.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance(seed), crate::MAX_GROUPS, short) else {
+        let Some(machine) = machine(&mut Chance::new(seed), crate::MAX_GROUPS, short) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut held) {

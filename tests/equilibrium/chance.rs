@@ -1,25 +1,24 @@
-//! Repeatable random numbers.
+//! Random numbers for tests, from the kernel's generator.
 
-/// SplitMix64 (Steele, Lea and Flood, "Fast splittable pseudorandom number generators", 2014).
-pub(crate) struct Chance(pub(crate) u64);
+use kinematics::numeric::SeededRng;
+
+/// A generator that returns the same numbers for the same seed.
+pub(crate) struct Chance(SeededRng);
 
 impl Chance {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        mixed ^ (mixed >> 31)
+    pub(crate) fn new(seed: u64) -> Chance {
+        Chance(SeededRng::new(seed))
     }
 
     /// Returns an integer below `count`, which must not be zero.
     pub(crate) fn below(&mut self, count: usize) -> usize {
-        usize::try_from(self.next() % u64::try_from(count).unwrap()).unwrap()
+        let last = u32::try_from(count - 1).unwrap();
+        self.0.between(0, last) as usize
     }
 
     /// Returns a number from `low` to `high`.
     pub(crate) fn within(&mut self, low: f64, high: f64) -> f64 {
-        let part = (self.next() >> 11) as f64 / (1_u64 << 53) as f64;
-        low + part * (high - low)
+        self.0.within(low, high)
     }
 
     /// Returns `true` with this probability.

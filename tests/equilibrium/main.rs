@@ -62,7 +62,7 @@ fn forces_satisfy_newton_euler_in_every_topology() {
         if seen.machines >= wanted {
             break;
         }
-        let Some(machine) = machine(&mut Chance(seed), MAX_GROUPS, |v| v) else {
+        let Some(machine) = machine(&mut Chance::new(seed), MAX_GROUPS, |v| v) else {
             continue;
         };
         if let Err(why) = hold(&machine, &mut seen) {

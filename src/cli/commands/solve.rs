@@ -161,7 +161,11 @@ fn optimise(
     let best = BestDesign::find(&figures, kept, &args.vary, order, &mut |state| {
         if let Some(best) = state.best {
             let best = format!("{best:.SHOWN_DECIMALS$} {}", figure.unit());
-            progress.show_best(best.trim_end().to_owned());
+            let best = best.trim_end();
+            progress.show_best(match state.missed > 0.0 {
+                true => words().value_misses_limits(best),
+                false => best.to_owned(),
+            });
         }
         progress.tell(u64::from(state.generations));
         !progress.is_stopped()

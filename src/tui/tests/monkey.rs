@@ -90,7 +90,7 @@ fn in_its_cage() {
 /// Runs one workbench from start to end, and returns the number of actions.
 fn episode(seed: u64) -> usize {
     let mut done = Vec::new();
-    let outcome = panic::catch_unwind(AssertUnwindSafe(|| live(&mut Chance(seed), &mut done)));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(|| live(&mut Chance::new(seed), &mut done)));
     if let Err(why) = outcome {
         let last = &done[done.len().saturating_sub(30)..];
         eprintln!(

@@ -210,49 +210,20 @@ impl Mechanism {
     /// point and points measured from it move with it.
     #[must_use]
     pub fn changed(&self, length: Length, by: f64) -> Mechanism {
+        self.all_changed([(length, by)])
+    }
+
+    /// Returns a copy of the mechanism with several lengths changed, as by [`Mechanism::changed`]
+    /// one after another.
+    #[must_use]
+    pub fn all_changed(&self, changes: impl IntoIterator<Item = (Length, f64)>) -> Mechanism {
         let mut changed = Parts::clone(&self.parts);
-        match length {
-            Length::Arm(link, point) => changed.turn_arm(link, point, |polar| polar.length += by),
-            Length::Across(link, point) => changed.turn_arm(link, point, |polar| {
-                polar.angle += (by / polar.length).to_degrees();
-            }),
-            Length::Ground(point, axis) => {
-                if let Some(place) = &mut changed.points[point.index()].ground {
-                    *place += axis.along(by);
-                }
-                changed.move_guides(Body::Ground, point, axis.along(by));
-            }
-            Length::Through(slide, axis) => {
-                changed.slides[slide.index()].through += axis.along(by);
-            }
-            Length::Link(..) | Length::Local(..) => {
-                if let Some((link, point, way)) = self.way_of(length) {
-                    changed.move_member(link, point, way * by);
-                    changed.lay(link);
-                }
-            }
+        for (length, by) in changes {
+            changed.change(length, by);
         }
         Mechanism {
             parts: Arc::new(changed),
         }
-    }
-
-    /// Returns the point that a length on a link moves, and its displacement per unit of length.
-    fn way_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
-        match length {
-            Length::Link(link) => Some((link, self.link(link).ends?.1, Vec2::X)),
-            Length::Local(link, point, axis) => Some((link, point, axis.along(1.0))),
-            Length::Arm(link, point) => Some((link, point, self.direction(link, point)?)),
-            Length::Across(link, point) => Some((link, point, self.direction(link, point)?.perp())),
-            Length::Ground(..) | Length::Through(..) => None,
-        }
-    }
-
-    /// Returns the direction of a polar point from its reference point, as a unit vector in the
-    /// link's frame.
-    fn direction(&self, link: LinkId, point: PointId) -> Option<Vec2> {
-        let polar = self.link(link).member(point)?.polar?;
-        Some(crate::angle::unit(polar.angle))
     }
 }
 
@@ -267,7 +238,7 @@ impl Mechanism {
         members.for_each(|member| member.local = Vec2::ZERO);
         let guides = flat.slides.iter_mut();
         guides.for_each(|slide| slide.through = Vec2::ZERO);
-        if let Some((link, point, way)) = self.way_of(length) {
+        if let Some((link, point, way)) = self.parts.way_of(length) {
             flat.move_seen(link, point, way);
             return Mechanism {
                 parts: Arc::new(flat),
@@ -281,6 +252,48 @@ impl Mechanism {
 }
 
 impl Parts {
+    fn change(&mut self, length: Length, by: f64) {
+        match length {
+            Length::Arm(link, point) => self.turn_arm(link, point, |polar| polar.length += by),
+            Length::Across(link, point) => self.turn_arm(link, point, |polar| {
+                polar.angle += (by / polar.length).to_degrees();
+            }),
+            Length::Ground(point, axis) => {
+                if let Some(place) = &mut self.points[point.index()].ground {
+                    *place += axis.along(by);
+                }
+                self.move_guides(Body::Ground, point, axis.along(by));
+            }
+            Length::Through(slide, axis) => {
+                self.slides[slide.index()].through += axis.along(by);
+            }
+            Length::Link(..) | Length::Local(..) => {
+                if let Some((link, point, way)) = self.way_of(length) {
+                    self.move_member(link, point, way * by);
+                    self.lay(link);
+                }
+            }
+        }
+    }
+
+    /// Returns the point that a length on a link moves, and its displacement per unit of length.
+    fn way_of(&self, length: Length) -> Option<(LinkId, PointId, Vec2)> {
+        match length {
+            Length::Link(link) => Some((link, self.links[link.index()].ends?.1, Vec2::X)),
+            Length::Local(link, point, axis) => Some((link, point, axis.along(1.0))),
+            Length::Arm(link, point) => Some((link, point, self.direction(link, point)?)),
+            Length::Across(link, point) => Some((link, point, self.direction(link, point)?.perp())),
+            Length::Ground(..) | Length::Through(..) => None,
+        }
+    }
+
+    /// Returns the direction of a polar point from its reference point, as a unit vector in the
+    /// link's frame.
+    fn direction(&self, link: LinkId, point: PointId) -> Option<Vec2> {
+        let polar = self.links[link.index()].member(point)?.polar?;
+        Some(crate::angle::unit(polar.angle))
+    }
+
     fn move_member(&mut self, link: LinkId, point: PointId, by: Vec2) {
         let mut members = self.links[link.index()].members.iter_mut();
         if let Some(member) = members.find(|m| m.point == point) {

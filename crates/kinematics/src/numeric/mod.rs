@@ -9,6 +9,7 @@
 //! polynomial all real roots of a polynomial
 //! lowest     the minimum around a place, by values alone
 //! chance     numbers drawn by chance, the same for the same seed
+//! evolution  trial designs of a search without derivatives
 //! chebyshev  a smooth function as a sum of polynomials, whose turns, roots and integral follow from it
 //! ```
 //!
@@ -18,12 +19,14 @@
 
 mod chance;
 pub mod chebyshev;
+mod evolution;
 mod lowest;
 mod polynomial;
 mod root;
 mod turns;
 
 pub use chance::SeededRng;
+pub use evolution::mutate;
 pub use lowest::{Unsettled, lowest};
 pub use polynomial::polynomial_roots;
 pub use root::{RootError, few_decimals, root, roots};

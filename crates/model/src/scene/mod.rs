@@ -44,6 +44,7 @@
 //! [`Scene::explain`] reports them in the same form.
 
 mod defect;
+mod dependents;
 mod deviations;
 mod draft;
 mod figures;
@@ -86,6 +87,7 @@ mod values;
 mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
+pub(crate) use dependents::DependentValues;
 #[doc(hidden)]
 pub use draft::{line, unit};
 pub use figures::NamedFormula;

@@ -72,7 +72,11 @@ impl NamedNumbers {
     }
 
     /// Evaluates a parsed formula.
-    fn worth_of(&self, text: &str, tree: &ExpressionTree) -> Result<MeasuredNumber, FormulaError> {
+    pub(super) fn worth_of(
+        &self,
+        text: &str,
+        tree: &ExpressionTree,
+    ) -> Result<MeasuredNumber, FormulaError> {
         let (symbol, tenths_of_mm) = self.length;
         let length = LengthScale {
             symbol,

@@ -6,11 +6,12 @@
 use super::linear::Projection;
 use super::shape::{LinkageForm, LinkageShape};
 use super::wanted::{HeldPivots, PathPart, WantedPath};
-use kinematics::numeric::SeededRng;
+use kinematics::numeric::{SeededRng, mutate};
 
 /// Maximum number of genes: three ratios, the first angle, the whole turn, and two for its
 /// unevenness.
 const GENES: usize = 7;
+const FIRST_ANGLE: usize = 3;
 /// Number of designs in a generation, and maximum number of generations.
 const DESIGNS: usize = 36;
 const GENERATIONS: usize = 50;
@@ -53,11 +54,17 @@ pub(super) struct Raw {
     worth: f64,
 }
 
+impl AsRef<[f64]> for Raw {
+    fn as_ref(&self) -> &[f64] {
+        &self.genes
+    }
+}
+
 impl Raw {
     /// Returns the crank's angle at a point, in degrees.
     #[inline]
     pub(super) fn angle(&self, along: &PathPart, turned: Option<f64>) -> f64 {
-        let start = self.genes[3];
+        let start = self.genes[FIRST_ANGLE];
         match turned {
             Some(turned) => start + turned,
             None => {
@@ -90,6 +97,8 @@ pub(super) struct Evolution<'a> {
     wanted: &'a WantedPath,
     quarry: SearchTarget,
     ends: [[f64; 2]; GENES],
+    /// The bounds of every gene; the first angle has none.
+    bounds: [Option<[f64; 2]>; GENES],
     chance: SeededRng,
     /// The minimum and maximum of the given turns, in degrees.
     turns: Option<[f64; 2]>,
@@ -104,10 +113,14 @@ impl<'a> Evolution<'a> {
                 turns.iter().copied().fold(f64::NEG_INFINITY, f64::max),
             ]
         });
+        let ends = ends(&quarry, wanted);
+        let mut bounds = ends.map(Some);
+        bounds[FIRST_ANGLE] = None;
         Evolution {
             wanted,
             quarry,
-            ends: ends(&quarry, wanted),
+            ends,
+            bounds,
             chance: SeededRng::new(seed),
             turns,
         }
@@ -124,6 +137,7 @@ impl<'a> Evolution<'a> {
             if best.is_none_or(|best| best.worth < MET) {
                 break;
             }
+            let best = best.as_ref().map(AsRef::as_ref);
             for i in 0..all.len() {
                 let trial = self.trial(&all, i, best);
                 if trial.worth <= all[i].worth {
@@ -174,7 +188,7 @@ impl<'a> Evolution<'a> {
 
     /// Returns the first and the last crank angle, in degrees.
     fn span(&self, raw: &Raw) -> [f64; 2] {
-        let start = raw.genes[3];
+        let start = raw.genes[FIRST_ANGLE];
         match self.turns {
             Some([least, most]) => [start + least, start + most],
             None => [start.min(start + raw.turn), start.max(start + raw.turn)],
@@ -214,33 +228,10 @@ impl<'a> Evolution<'a> {
         };
     }
 
-    /// Crosses a mutant of three random designs with the design that it may replace.
-    fn trial(&mut self, all: &[Raw], of: usize, best: Option<Raw>) -> Raw {
-        let last = u32::try_from(all.len() - 1).unwrap_or(0);
-        let mut other = || &all[self.chance.between(0, last) as usize].genes;
-        let (a, b, c) = (other(), other(), other());
-        let weight = 0.65 + 0.25 * self.chance.even();
-        // Half of the mutants are pulled towards the best design, by a random part.
-        let pull = self.chance.even().max(0.0);
-        let own = all[of].genes;
-        let mut genes = own;
-        for (i, gene) in genes.iter_mut().enumerate() {
-            if self.chance.even() > 0.8 {
-                continue;
-            }
-            let towards = best.map_or(0.0, |best| pull * (best.genes[i] - a[i]));
-            let [low, high] = self.ends[i];
-            let number = a[i] + towards + weight * (b[i] - c[i]);
-            *gene = if i == 3 {
-                number
-            } else if number < low {
-                0.5 * (own[i] + low)
-            } else if number > high {
-                0.5 * (own[i] + high)
-            } else {
-                number
-            };
-        }
+    /// Creates a trial for a design of a generation.
+    fn trial(&mut self, all: &[Raw], of: usize, best: Option<&[f64]>) -> Raw {
+        let mut genes = all[of].genes;
+        mutate(&mut genes, all, best, &self.bounds, &mut self.chance);
         let mut trial = self.raw(genes);
         self.weigh(&mut trial);
         trial

@@ -70,6 +70,34 @@ fn stopped_search_returns_best_so_far() {
     }
 }
 
+/// The first generation contains the given design, so that a search resumes from its result: here
+/// from an optimum that no random design is as good as.
+#[test]
+fn search_begins_with_given_design() {
+    let preset = crate::scene::presets::find("slider-crank").unwrap().text;
+    let scene = crate::scene::Scene::parse(preset, "test").unwrap();
+    let crank = scene.value_named("r2.length").unwrap();
+    let rod = scene.value_named("r3.length").unwrap().number;
+    let text = scene.with_value(&crank, &crank.with_number(rod / 2.0));
+    let space = super::tests::space_of(&text, &["r2 length"]);
+    let figures = figures(&space, &["r4.length.stroke", "transmission"]);
+    let constraints = goals(&space, &["transmission >= 60"]);
+    let order = OptimiseOrder {
+        greatest: true,
+        generations: 0,
+        seed: 4,
+        threads: 1,
+    };
+    let mut calls = 0;
+    let axes = axes(&["r2=2..19"]);
+    // The first generation has 24 designs; stopped then, the best one is not polished.
+    let best = BestDesign::find(&figures, &constraints, &axes, order, &mut |_| {
+        calls += 1;
+        calls <= 24
+    });
+    assert_eq!(best.unwrap().numbers, [rod / 2.0]);
+}
+
 /// Returns the swing of a crank-rocker, and its transmission angle furthest from 90 deg, by the law
 /// of cosines. At the dead centres crank and coupler are in line; the angle is furthest when crank
 /// and frame are in line.

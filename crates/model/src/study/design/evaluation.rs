@@ -1,43 +1,90 @@
 //! Computes cycle figures of many designs.
 
+use super::lengths::DesignLengths;
 use super::{Design, DesignSpace, NoDesign};
 use crate::quantity::Catalogue;
-use crate::scene::{Measure, Scene, Value};
+use crate::scene::Scene;
 use crate::solver::{Demand, Solver, Varied};
 use crate::study::excursion::FigureSeams;
 use crate::study::{CycleFigure, CycleFigures, NoFigure};
 use crate::{Length, Mechanism};
 
-/// Computes cycle figures of one design after another. A design is changed in place if it differs
-/// in lengths alone, and if its driver turns fully and far from any limit. Any other design is
-/// opened like any scene.
+/// Computes cycle figures of one design after another. A design whose numbers change lengths alone
+/// is computed without parsing its text. Its solver is changed in place if its driver turns fully
+/// and far from any limit. Any other design is opened like any scene.
 #[derive(Clone, Debug)]
 pub struct DesignFigures {
     space: DesignSpace,
-    figures: CycleFigures,
+    figures: FigureSet,
     seams: FigureSeams,
-    names: Vec<String>,
-    /// `true` if a formula derives a figure from others; the formula may contain a design's
-    /// numbers.
-    has_formulas: bool,
     quick: Option<QuickDesigns>,
 }
 
-/// Lengths that can be changed in place.
+/// Cycle figures by their names.
+#[derive(Clone, Debug)]
+pub(super) struct FigureSet {
+    pub(super) figures: CycleFigures,
+    /// `true` if a formula derives a figure from others; the formula may contain a design's
+    /// numbers.
+    has_formulas: bool,
+}
+
+/// A design that was opened for its figures.
+#[derive(Clone, Debug)]
+pub(super) struct OpenedDesign {
+    /// The scene; `None` if it was not parsed, because no figure needs it.
+    scene: Option<Box<Scene>>,
+    solver: Solver,
+}
+
+/// Designs with other lengths.
 #[derive(Clone, Debug)]
 struct QuickDesigns {
     lengths: Vec<Length>,
     varied: Varied,
-    /// For each variable value the index of its length. `None` if a value is not a length, or if
-    /// other quantities depend on it. If present, the text need not be parsed.
-    plain: Option<Vec<usize>>,
+    /// The lengths of a design; `None` if they follow from its text alone.
+    plain: Option<DesignLengths>,
 }
 
-/// The relative change of a value that shows which quantities depend on it; absolute for values
-/// below 1.
-const PROBE: f64 = 1.0 / 64.0;
-/// Tolerance for the change found, relative to the change made: rounding error.
-const SAME: f64 = 1e-9;
+impl FigureSet {
+    /// Creates a set; `dwell` is the tolerance of dwells.
+    fn new(figures: Vec<CycleFigure>, dwell: Option<f64>) -> FigureSet {
+        FigureSet {
+            has_formulas: figures.iter().any(CycleFigure::is_derived),
+            figures: CycleFigures::new(figures, dwell),
+        }
+    }
+
+    /// Computes the figures; each is a value, or the reason for its absence.
+    pub(super) fn of(&self, design: &OpenedDesign) -> Vec<Result<f64, NoFigure>> {
+        self.of_solver(design.scene.as_deref(), &design.solver)
+    }
+
+    fn of_solver(&self, scene: Option<&Scene>, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
+        let Some(scene) = scene.filter(|_| self.has_formulas) else {
+            return self.figures.of(solver);
+        };
+        let catalogue = Catalogue::new(scene);
+        let names = self.figures.figures().iter().map(CycleFigure::name);
+        let again = names.map(|name| CycleFigure::parse(name, &catalogue));
+        match again.collect::<Result<Vec<_>, _>>() {
+            Ok(figures) => self.figures.again(figures).of(solver),
+            // Unreachable in practice: the names were parsed before, for a scene with the same
+            // names.
+            Err(_) => self.figures.of(solver),
+        }
+    }
+
+    /// Returns a set of some of the figures, by their indices.
+    pub(super) fn subset(&self, indices: &[usize]) -> FigureSet {
+        let all = self.figures.figures();
+        let figures: Vec<CycleFigure> = indices.iter().map(|&i| all[i].clone()).collect();
+        FigureSet {
+            has_formulas: figures.iter().any(CycleFigure::is_derived),
+            figures: self.figures.again(figures),
+        }
+    }
+}
 
 impl DesignFigures {
     /// Creates an evaluator for figures of the scene of a design space; `dwell` is the tolerance of
@@ -48,18 +95,12 @@ impl DesignFigures {
         figures: Vec<CycleFigure>,
         dwell: Option<f64>,
     ) -> DesignFigures {
-        let names = figures
-            .iter()
-            .map(|figure| figure.name().to_owned())
-            .collect();
         let has_forces = figures.iter().any(CycleFigure::is_of_forces);
-        let has_formulas = figures.iter().any(CycleFigure::is_derived);
-        let figures = CycleFigures::new(figures, dwell);
+        let figures = FigureSet::new(figures, dwell);
+        let quick = (!has_forces).then(|| QuickDesigns::new(space, figures.has_formulas));
         DesignFigures {
-            seams: FigureSeams::of(&figures, space.solver()),
-            quick: QuickDesigns::new(space).filter(|_| !has_forces),
-            names,
-            has_formulas,
+            seams: FigureSeams::of(&figures.figures, space.solver()),
+            quick: quick.flatten(),
             figures,
             space: space.clone(),
         }
@@ -68,7 +109,7 @@ impl DesignFigures {
     /// Returns the figures, in their order.
     #[must_use]
     pub fn figures(&self) -> &[CycleFigure] {
-        self.figures.figures()
+        self.figures.figures.figures()
     }
 
     /// Returns the space of the designs.
@@ -77,17 +118,19 @@ impl DesignFigures {
         &self.space
     }
 
+    /// Returns the figures as a set.
+    pub(super) fn set(&self) -> &FigureSet {
+        &self.figures
+    }
+
     /// Computes the figures of the design with these numbers; each is a value, or the reason for
     /// its absence.
     ///
     /// # Errors
     /// Returns an error if there is no such design.
     pub fn of(&mut self, numbers: &[f64]) -> Result<Vec<Result<f64, NoFigure>>, NoDesign> {
-        if let Some(found) = self.quickly(numbers) {
-            return Ok(found);
-        }
-        let design = self.space.open(numbers)?;
-        Ok(self.of_design(&design))
+        let design = self.open(numbers)?;
+        Ok(self.figures.of(&design))
     }
 
     /// Computes the figures of a design for a comparison with other designs. Directions, and places
@@ -105,84 +148,58 @@ impl DesignFigures {
     /// Computes the figures of an opened design.
     #[must_use]
     pub fn of_design(&self, design: &Design) -> Vec<Result<f64, NoFigure>> {
-        self.of_solver(&design.scene, &design.solver)
+        self.figures.of_solver(Some(&design.scene), &design.solver)
     }
 
-    fn of_solver(&self, scene: &Scene, solver: &Solver) -> Vec<Result<f64, NoFigure>> {
-        if !self.has_formulas {
-            return self.figures.of(solver);
+    /// Opens a design for its figures.
+    pub(super) fn open(&mut self, numbers: &[f64]) -> Result<OpenedDesign, NoDesign> {
+        let made = self.mechanism(numbers);
+        let scene = match made {
+            Some(_) => None,
+            None => Some(Box::new(self.space.parse(numbers)?)),
+        };
+        let parsed = || scene.as_ref().map(|scene| scene.mechanism.clone());
+        // One of the two exists.
+        let given = self.space.solver().mechanism();
+        let mechanism = made.or_else(parsed).unwrap_or_else(|| given.clone());
+        let quick = self.quick.as_mut();
+        if let Some(solver) = quick.and_then(|quick| quick.solver(given, &mechanism)) {
+            return Ok(OpenedDesign { scene, solver });
         }
-        let catalogue = Catalogue::new(scene);
-        let again = self
-            .names
-            .iter()
-            .map(|name| CycleFigure::parse(name, &catalogue));
-        match again.collect::<Result<Vec<_>, _>>() {
-            Ok(figures) => self.figures.again(figures).of(solver),
-            // Unreachable in practice: the names were parsed before, for a scene with the same
-            // names.
-            Err(_) => self.figures.of(solver),
+        match self.space.kept(&mechanism) {
+            Ok((solver, _)) => Ok(OpenedDesign { scene, solver }),
+            Err(fault) => {
+                let scene = scene.map_or_else(|| self.space.parse(numbers).map(Box::new), Ok)?;
+                Err(NoDesign::Unsolved(scene, Box::new(fault)))
+            }
         }
     }
 
-    pub(super) fn cycle_figures(&self) -> &CycleFigures {
-        &self.figures
+    /// Returns the mechanism of a design without parsing its text, if that is possible.
+    pub(super) fn mechanism(&mut self, numbers: &[f64]) -> Option<Mechanism> {
+        let plain = self.quick.as_mut()?.plain.as_mut()?;
+        plain.mechanism(&self.space, numbers)
     }
 
-    /// Returns the solver of a design changed in place and the length of each number; `None` if the
-    /// design cannot be changed in place.
+    /// Returns the solver of a design changed in place and the length of each number. Returns
+    /// `None` if the design cannot be changed in place, or if a number sets more than one length.
     pub(super) fn in_place(&mut self, numbers: &[f64]) -> Option<(Solver, Vec<Length>)> {
-        let quick = self.quick.as_mut().filter(|_| !self.has_formulas)?;
-        let plain = quick.plain.as_ref()?;
-        let mechanism = plainly_changed(&self.space, plain, &quick.lengths, numbers)?;
-        let lengths = plain.iter().map(|&length| quick.lengths[length]).collect();
+        let lengths = self.quick.as_ref()?.plain.as_ref()?.by_number()?;
+        let mechanism = self.mechanism(numbers)?;
+        let quick = self.quick.as_mut()?;
         let solver = quick.solver(self.space.solver().mechanism(), &mechanism)?;
         Some((solver, lengths))
     }
-
-    pub(super) fn quickly(&mut self, numbers: &[f64]) -> Option<Vec<Result<f64, NoFigure>>> {
-        let quick = self.quick.as_mut()?;
-        if let Some(plain) = quick.plain.as_ref().filter(|_| !self.has_formulas) {
-            let mechanism = plainly_changed(&self.space, plain, &quick.lengths, numbers)?;
-            let solver = quick.solver(self.space.solver().mechanism(), &mechanism)?;
-            return Some(self.figures.of(&solver));
-        }
-        let text = self.space.text(numbers);
-        let scene = self.space.scene().again(&text)?;
-        let solver = quick.solver(self.space.solver().mechanism(), &scene.mechanism)?;
-        Some(self.of_solver(&scene, &solver))
-    }
-}
-
-/// Returns the mechanism with these numbers as its lengths; `None` if a length would be rejected in
-/// the text.
-fn plainly_changed(
-    space: &DesignSpace,
-    plain: &[usize],
-    lengths: &[Length],
-    numbers: &[f64],
-) -> Option<Mechanism> {
-    let mut mechanism = space.solver().mechanism().clone();
-    for ((value, &length), &number) in space.values().iter().zip(plain).zip(numbers) {
-        let is_read = number > 0.0 || value.measure == Measure::Coordinate;
-        if !is_read || !number.is_finite() {
-            return None;
-        }
-        mechanism = mechanism.changed(lengths[length], number - value.number);
-    }
-    Some(mechanism)
 }
 
 impl QuickDesigns {
-    fn new(space: &DesignSpace) -> Option<QuickDesigns> {
-        let (solver, scene) = (space.solver(), space.scene());
-        let mechanism = &scene.mechanism;
+    fn new(space: &DesignSpace, has_formulas: bool) -> Option<QuickDesigns> {
+        let (solver, mechanism) = (space.solver(), &space.scene().mechanism);
         let lengths = mechanism.lengths();
         let varied = solver.varied(&lengths, &Demand::of_motion(mechanism))?;
-        let values = space.values().iter();
-        let plain = values.map(|value| length_of(value, scene, &lengths));
+        let plain = (!has_formulas).then(|| DesignLengths::of(space, &lengths));
         Some(QuickDesigns {
-            plain: plain.collect(),
+            plain: plain.flatten(),
             lengths,
             varied,
         })
@@ -193,22 +210,4 @@ impl QuickDesigns {
         self.varied.change(&by);
         self.varied.plain(design)
     }
-}
-
-/// Returns the index of the length that a value sets; `None` if it sets none or more than that.
-/// Determined by changing the value.
-fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<usize> {
-    let is_plain =
-        value.formula.is_none() && matches!(value.measure, Measure::Length | Measure::Coordinate);
-    if !is_plain {
-        return None;
-    }
-    let by = PROBE * value.number.abs().max(1.0);
-    let text = scene.with_value(value, &value.with_number(value.number + by));
-    let other = scene.again(&text)?;
-    let changes = scene.mechanism.longer(&other.mechanism, lengths)?;
-    let mut changed = changes.iter().enumerate().filter(|(_, by)| **by != 0.0);
-    let (length, &found) = changed.next()?;
-    let is_all = changed.next().is_none() && (found - by).abs() <= SAME * by;
-    is_all.then_some(length)
 }

@@ -6,16 +6,20 @@
 //! the solver's own formulas give in dual numbers.
 
 use super::DesignFigures;
+use super::evaluation::FigureSet;
 use crate::quantity::Sensitivity;
 
 impl DesignFigures {
-    /// Returns the derivatives of each figure by the variable numbers. Returns `None` if a design
+    /// Returns the derivatives of each figure of a set by the variable numbers. Returns `None` if a design
     /// is not changed in place, or if a figure has another form than a difference of a column at
     /// some places. Examples are a time ratio and a transmission angle.
-    pub(super) fn exact_slopes(&mut self, numbers: &[f64]) -> Option<Vec<Vec<f64>>> {
+    pub(super) fn exact_slopes(
+        &mut self,
+        set: &FigureSet,
+        numbers: &[f64],
+    ) -> Option<Vec<Vec<f64>>> {
         let (solver, lengths) = self.in_place(numbers)?;
-        let figures = self.cycle_figures();
-        let places = figures.places(&solver)?;
+        let places = set.figures.places(&solver)?;
         let columns: Vec<_> = places.iter().map(|placed| placed.column.clone()).collect();
         let scene = self.space().scene();
         let mut sensitivity = Sensitivity::by(scene, &solver, &columns, lengths);

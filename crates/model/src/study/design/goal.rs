@@ -178,4 +178,4 @@ impl Goal {
 }
 
 /// Tolerance for meeting a goal, relative to its size.
-const MET: f64 = 1e-9;
+pub(super) const MET: f64 = 1e-9;

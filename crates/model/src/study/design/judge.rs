@@ -1,23 +1,27 @@
 //! Evaluates designs in an optimization, and projects designs onto constraints.
 
+use super::evaluation::FigureSet;
+use super::goal::MET;
 use super::{DesignFigures, Goal, GoalSense, PlanAxis};
 use nalgebra::{DMatrix, DVector};
 
 /// Step of differences for derivatives, relative to the range between the bounds.
 pub(super) const DIFFERENCE: f64 = 1e-5;
-/// Number of Newton steps onto the constraints, and maximum halvings of a step that does not
-/// improve.
+/// Number of steps onto the constraints, and maximum halvings of a step that does not improve.
 const STEPS: usize = 12;
 const HALVINGS: u32 = 6;
-/// The slack below which a constraint is met up to rounding error, relative to its size.
+/// Part of the misses that a step may leave before the derivatives are computed again.
+const SLOW: f64 = 0.3;
+/// The slack below which a constraint is met up to rounding error, relative to its size; and the
+/// slack at which a failed step may be due to rounding.
 const NOUGHT: f64 = 1e-13;
+const ROUNDED: f64 = 1e-11;
 /// The relative size below which a singular value counts as zero.
 const SINGULAR: f64 = 1e-9;
 
 /// The score of a design, smaller is better: its total miss, then its value. Infinite without a
 /// design.
 pub(super) type DesignScore = (f64, f64);
-
 pub(super) const NONE: DesignScore = (f64::INFINITY, f64::INFINITY);
 
 /// Evaluates designs. The first figure is optimized, the others belong to the constraints.
@@ -25,9 +29,22 @@ pub(super) const NONE: DesignScore = (f64::INFINITY, f64::INFINITY);
 pub(super) struct DesignEvaluator {
     pub(super) figures: DesignFigures,
     pub(super) constraints: Vec<Goal>,
+    /// The indices of all constraints.
+    all: Vec<usize>,
+    /// The indices of the equality constraints, and their figures.
+    equal: (Vec<usize>, FigureSet),
     /// The bounds of each number.
     pub(super) ends: Vec<[f64; 2]>,
     pub(super) greatest: bool,
+}
+
+/// The figures of a design that are evaluated.
+#[derive(Clone, Copy, Debug)]
+enum JudgedPart {
+    /// Those of equality constraints alone. The design's value and all other slacks are 0.
+    Equalities,
+    /// All figures.
+    Whole,
 }
 
 /// The evaluation of a design.
@@ -50,6 +67,36 @@ pub(super) struct DesignSlopes {
     pub(super) slacks: DMatrix<f64>,
 }
 
+/// The constraints onto which a design is projected.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct DesignProjection<'a> {
+    part: JudgedPart,
+    /// Inequalities that are included in addition to the missed ones; `None` to include neither.
+    held: Option<&'a [usize]>,
+    /// The miss at which the projection ends, relative to the constraints' sizes.
+    tolerance: f64,
+}
+
+impl DesignProjection<'_> {
+    /// Creates a projection onto the equality constraints alone.
+    pub(super) fn onto_equalities(tolerance: f64) -> DesignProjection<'static> {
+        DesignProjection {
+            part: JudgedPart::Equalities,
+            held: None,
+            tolerance,
+        }
+    }
+
+    /// Creates a projection onto the equality constraints, some inequalities and all missed ones.
+    pub(super) fn onto_all(held: &[usize]) -> DesignProjection<'_> {
+        DesignProjection {
+            part: JudgedPart::Whole,
+            held: Some(held),
+            tolerance: NOUGHT,
+        }
+    }
+}
+
 impl DesignEvaluator {
     /// Creates an evaluator of designs between the axes' bounds. The misses of each constraint are
     /// scaled by the required change.
@@ -69,75 +116,149 @@ impl DesignEvaluator {
             let [low, high] = axis.ends.unwrap_or([*given; 2]);
             [low.min(high), low.max(high)]
         });
+        let is_equal = |&i: &usize| constraints[i].sense == GoalSense::Equal;
+        let equal: Vec<usize> = (0..constraints.len()).filter(is_equal).collect();
+        // The first figure is optimized.
+        let of: Vec<usize> = equal.iter().map(|i| i + 1).collect();
         DesignEvaluator {
             constraints: pairs.map(|(goal, value)| goal.from(value)).collect(),
             ends: ends.collect(),
+            all: (0..constraints.len()).collect(),
+            equal: (equal, figures.set().subset(&of)),
             figures,
             greatest,
         }
     }
 
+    /// Returns `true` if there are equality constraints.
+    pub(super) fn has_equalities(&self) -> bool {
+        !self.equal.0.is_empty()
+    }
+
     /// Evaluates a design; `None` if there is no such design, or if a figure is missing.
     pub(super) fn judge(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
-        let found = self.figures.of(&numbers).ok()?;
-        let (value, kept) = found.split_first()?;
-        let value = value.ok().filter(|value| value.is_finite())?;
-        let value = if self.greatest { -value } else { value };
-        let (mut missed, mut slacks) = (0.0, Vec::with_capacity(kept.len()));
-        for (goal, kept) in self.constraints.iter().zip(kept) {
-            let kept = kept.ok().filter(|kept| kept.is_finite())?;
-            if !goal.is_met(kept) {
-                missed += goal.part(kept).abs();
+        self.judge_part(numbers, JudgedPart::Whole)
+    }
+
+    /// Evaluates a design by its equality constraints alone.
+    pub(super) fn judge_equalities(&mut self, numbers: Vec<f64>) -> Option<JudgedDesign> {
+        self.judge_part(numbers, JudgedPart::Equalities)
+    }
+
+    /// Evaluates some figures of a design.
+    fn judge_part(&mut self, numbers: Vec<f64>, part: JudgedPart) -> Option<JudgedDesign> {
+        let design = self.figures.open(&numbers).ok()?;
+        let known = |value: Result<f64, _>| value.ok().filter(|value: &f64| value.is_finite());
+        let mut slacks = DVector::zeros(self.constraints.len());
+        let mut value = 0.0;
+        let (of, found) = match part {
+            JudgedPart::Equalities => (&self.equal.0, self.equal.1.of(&design).into_iter()),
+            JudgedPart::Whole => {
+                let mut found = self.figures.set().of(&design).into_iter();
+                let first = known(found.next()?)?;
+                value = if self.greatest { -first } else { first };
+                (&self.all, found)
             }
-            slacks.push(goal.slack(kept));
+        };
+        for (&i, found) in of.iter().zip(found) {
+            slacks[i] = self.constraints[i].slack(known(found)?);
         }
-        Some(JudgedDesign {
+        let mut design = JudgedDesign {
             numbers,
             value,
-            slacks: DVector::from_vec(slacks),
-            worth: (missed, value),
-        })
+            slacks,
+            worth: NONE,
+        };
+        design.worth = self.score(&design, 0.0);
+        Some(design)
     }
 
-    /// Projects a design onto the equality constraints as far as possible; returns it with its
-    /// score.
-    pub(super) fn settled(&mut self, numbers: Vec<f64>) -> (Vec<f64>, DesignScore) {
-        match self.judge(numbers.clone()) {
-            Some(design) => {
-                let design = self.onto(design, None);
-                (design.numbers, design.worth)
-            }
-            None => (numbers, NONE),
-        }
+    /// Returns the score of a design if equality constraints have a tolerance, relative to their
+    /// sizes. Rounding errors never count.
+    pub(super) fn score(&self, design: &JudgedDesign, tolerance: f64) -> DesignScore {
+        let slacks = self.constraints.iter().zip(design.slacks.iter());
+        let missed = slacks.map(|(goal, &slack)| match goal.sense {
+            GoalSense::Equal if slack.abs() <= tolerance.max(MET) => 0.0,
+            GoalSense::AtLeast | GoalSense::AtMost if slack >= -MET => 0.0,
+            GoalSense::Equal | GoalSense::AtLeast | GoalSense::AtMost => slack.abs(),
+        });
+        (missed.sum(), design.value)
     }
 
-    /// Projects a design onto the equality constraints by Newton steps, each the shortest possible
-    /// within the bounds. With `held`, these inequalities and the missed ones are included.
+    /// Projects a design onto constraints by Newton steps, each the shortest possible within the
+    /// bounds.
+    ///
+    /// `slopes` are approximate derivatives of the slacks, if there are any. They are updated by
+    /// Broyden's method, and computed again after a step that gains too little. With new derivatives
+    /// a step that does not improve is halved; the projection ends if this is in vain.
     pub(super) fn onto(
         &mut self,
         mut design: JudgedDesign,
-        held: Option<&[usize]>,
+        slopes: &mut Option<DMatrix<f64>>,
+        onto: DesignProjection<'_>,
     ) -> JudgedDesign {
+        let mut is_new = false;
         for _ in 0..STEPS {
-            let rows = self.missed_by(&design, held);
+            let rows = self.missed_by(&design, onto.held);
             let missed = norm(&design, &rows);
-            if rows.is_empty() || missed <= NOUGHT {
+            if rows.is_empty() || missed <= onto.tolerance {
                 break;
             }
-            let better = self.slopes(&design, DIFFERENCE, false).and_then(|slopes| {
-                let way = self.way_onto(&design, &slopes, &rows)?;
-                (0..=HALVINGS).find_map(|k| {
+            if slopes.is_none() {
+                let new = self.slopes_of_part(&design, DIFFERENCE, false, onto.part);
+                *slopes = new.map(|new| new.slacks);
+                is_new = true;
+            }
+            let Some(known) = slopes.as_mut() else {
+                break;
+            };
+            let halvings = if is_new { HALVINGS } else { 0 };
+            let way = self.way_onto(&design, known, &rows);
+            let better = way.and_then(|way| {
+                (0..=halvings).find_map(|k| {
                     let part = 0.5_f64.powi(i32::try_from(k).unwrap_or(0));
-                    let there = self.judge(self.moved(&design.numbers, &(&way * part)))?;
+                    let numbers = self.moved(&design.numbers, &(&way * part));
+                    let there = self.judge_part(numbers, onto.part)?;
                     (norm(&there, &rows) < missed).then_some(there)
                 })
             });
-            match better {
-                Some(better) => design = better,
-                None => break,
+            let left = better.as_ref().map_or(missed, |there| norm(there, &rows));
+            if let Some(there) = better {
+                self.update(known, &design, &there);
+                design = there;
+            } else if is_new {
+                break;
+            }
+            is_new = false;
+            if left > SLOW * missed {
+                if left <= ROUNDED {
+                    break;
+                }
+                *slopes = None;
             }
         }
         design
+    }
+
+    /// Changes approximate derivatives of the slacks by as little as possible so that they explain
+    /// the change from one design to another (Broyden, 1965).
+    fn update(&self, slopes: &mut DMatrix<f64>, from: &JudgedDesign, to: &JudgedDesign) {
+        let way = self.way_between(&from.numbers, &to.numbers);
+        let square = way.norm_squared();
+        if square > 0.0 {
+            let unexplained = &to.slacks - &from.slacks - &*slopes * &way;
+            *slopes += unexplained * way.transpose() / square;
+        }
+    }
+
+    /// Returns the way from one design to another, relative to the ranges.
+    pub(super) fn way_between(&self, from: &[f64], to: &[f64]) -> DVector<f64> {
+        let each = self.ends.iter().zip(from.iter().zip(to));
+        let each = each.map(|([low, high], (from, to))| match high > low {
+            true => (to - from) / (high - low),
+            false => 0.0,
+        });
+        DVector::from_iterator(from.len(), each)
     }
 
     /// Returns the constraints that a design is projected onto.
@@ -156,7 +277,7 @@ impl DesignEvaluator {
     fn way_onto(
         &self,
         design: &JudgedDesign,
-        slopes: &DesignSlopes,
+        slopes: &DMatrix<f64>,
         rows: &[usize],
     ) -> Option<DVector<f64>> {
         let count = self.ends.len();
@@ -164,7 +285,7 @@ impl DesignEvaluator {
         let mut free = vec![true; count];
         loop {
             let slope = |row: usize, i: usize| match free[i] {
-                true => slopes.slacks[(rows[row], i)],
+                true => slopes[(rows[row], i)],
                 false => 0.0,
             };
             let matrix = DMatrix::from_fn(rows.len(), count, slope);
@@ -197,18 +318,35 @@ impl DesignEvaluator {
         moved.collect()
     }
 
-    fn exact_ones(&mut self, design: &JudgedDesign) -> Option<DesignSlopes> {
-        let slopes = self.figures.exact_slopes(&design.numbers)?;
+    /// Returns the solver's own derivatives, if all figures have them.
+    fn exact_ones(&mut self, design: &JudgedDesign, part: JudgedPart) -> Option<DesignSlopes> {
+        let set = match part {
+            JudgedPart::Equalities => self.equal.1.clone(),
+            JudgedPart::Whole => self.figures.set().clone(),
+        };
+        let found = self.figures.exact_slopes(&set, &design.numbers)?;
         let size = |i: usize| self.ends[i][1] - self.ends[i][0];
-        let (value, slacks) = slopes.split_first()?;
-        let sense = if self.greatest { -1.0 } else { 1.0 };
         let count = self.ends.len();
-        Some(DesignSlopes {
-            value: DVector::from_fn(count, |i, _| sense * value[i] * size(i)),
-            slacks: DMatrix::from_fn(self.constraints.len(), count, |k, i| {
-                self.constraints[k].slope_of_slack(slacks[k][i] * size(i))
-            }),
-        })
+        let mut slopes = DesignSlopes {
+            value: DVector::zeros(count),
+            slacks: DMatrix::zeros(self.constraints.len(), count),
+        };
+        let mut found = found.iter();
+        let rows = match part {
+            JudgedPart::Equalities => &self.equal.0,
+            JudgedPart::Whole => {
+                let sense = if self.greatest { -1.0 } else { 1.0 };
+                let value = found.next()?;
+                slopes.value = DVector::from_fn(count, |i, _| sense * value[i] * size(i));
+                &self.all
+            }
+        };
+        for (&row, found) in rows.iter().zip(found) {
+            for i in 0..count {
+                slopes.slacks[(row, i)] = self.constraints[row].slope_of_slack(found[i] * size(i));
+            }
+        }
+        Some(slopes)
     }
 
     /// Returns the derivatives at a design: the solver's own if every figure has them, or else
@@ -220,7 +358,17 @@ impl DesignEvaluator {
         part: f64,
         to_both: bool,
     ) -> Option<DesignSlopes> {
-        if let Some(slopes) = self.exact_ones(design) {
+        self.slopes_of_part(design, part, to_both, JudgedPart::Whole)
+    }
+
+    fn slopes_of_part(
+        &mut self,
+        design: &JudgedDesign,
+        step: f64,
+        to_both: bool,
+        part: JudgedPart,
+    ) -> Option<DesignSlopes> {
+        if let Some(slopes) = self.exact_ones(design, part) {
             return Some(slopes);
         }
         let count = self.ends.len();
@@ -238,11 +386,11 @@ impl DesignEvaluator {
                 let mut numbers = design.numbers.clone();
                 numbers[i] += by * size;
                 let is_within = low <= numbers[i] && numbers[i] <= high;
-                is_within.then(|| self.judge(numbers)).flatten()
+                is_within.then(|| self.judge_part(numbers, part)).flatten()
             };
-            let above = beside(part);
+            let above = beside(step);
             let below = match to_both || above.is_none() {
-                true => beside(-part),
+                true => beside(-step),
                 false => None,
             };
             let (from, to) = match (&below, &above) {

@@ -22,7 +22,11 @@ pub(super) enum KinkSampling {
     /// No small step improves the design.
     Lowest,
     /// This direction improves the design, to first order.
-    Down(DVector<f64>),
+    Down {
+        way: DVector<f64>,
+        /// The derivatives of the slacks at the design.
+        slacks: DMatrix<f64>,
+    },
     /// The slopes do not decide.
     Open,
 }
@@ -61,7 +65,10 @@ impl KinkSampling {
         }
         let (shortest, parts) = shortest_between(&free);
         if shortest.norm() > FLAT * greatest.max(here.value.abs()) {
-            return KinkSampling::Down(-shortest);
+            return KinkSampling::Down {
+                way: -shortest,
+                slacks: own.slacks,
+            };
         }
         let mut held_by = DVector::zeros(normals.nrows());
         for (by, part) in held.iter().zip(&parts) {

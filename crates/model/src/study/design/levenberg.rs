@@ -113,7 +113,8 @@ impl GoalSearch {
     }
 
     fn exact_ones(&mut self, place: &Place) -> Option<DMatrix<f64>> {
-        let slopes = self.figures.exact_slopes(&place.numbers)?;
+        let set = self.figures.set().clone();
+        let slopes = self.figures.exact_slopes(&set, &place.numbers)?;
         let values = self.figures.of(&place.numbers).ok()?;
         let values: Option<Vec<f64>> = values.into_iter().map(Result::ok).collect();
         let values = values?;

@@ -8,6 +8,8 @@
 //!
 //! ```text
 //! plan          plans of designs: a grid or a Latin hypercube, each design with a number
+//! evaluation    figures of one design after another
+//! lengths       the mechanism of a design, without parsing its text
 //! run           a row for each design of a plan, on all cores, in order
 //! goal          goals for cycle figures
 //! solve         numbers that meet goals, searched from many starts
@@ -30,6 +32,7 @@ mod goal_tests;
 mod hold;
 mod judge;
 mod kink;
+mod lengths;
 mod levenberg;
 mod optimise;
 mod plan;
@@ -46,6 +49,7 @@ pub use plan::{DesignPlan, MistypedAxis, PlanAxis};
 pub use run::{DesignRow, DesignRun, DesignState};
 pub use solve::{FoundDesign, GoalSearch, SearchOutcome};
 
+use crate::Mechanism;
 use crate::scene::{Diagnostics, Scene, Value};
 use crate::solver::{Condition, EndStop, Fault, Motion, Order, Range, Solver};
 use crate::wording::words;
@@ -150,11 +154,8 @@ impl DesignSpace {
     /// Returns an error if the numbers do not give a valid scene, or if the new scene does not
     /// assemble as the given one does.
     pub fn open(&self, numbers: &[f64]) -> Result<Design, NoDesign> {
-        let text = self.text(numbers);
-        let scene = Scene::parse(&text, self.scene.origin())
-            .map_err(|faults| NoDesign::Unread(Box::new(faults)))?;
-        let at = self.seen_at(&scene);
-        match self.solver.kept(at, &scene.mechanism) {
+        let scene = self.parse(numbers)?;
+        match self.kept(&scene.mechanism) {
             Ok((solver, is_held)) => Ok(Design {
                 scene,
                 solver,
@@ -164,10 +165,22 @@ impl DesignSpace {
         }
     }
 
+    /// Parses the scene of the design with these numbers.
+    fn parse(&self, numbers: &[f64]) -> Result<Scene, NoDesign> {
+        let scene = Scene::parse(&self.text(numbers), self.scene.origin());
+        scene.map_err(|faults| NoDesign::Unread(Box::new(faults)))
+    }
+
+    /// Returns the solver of a design's mechanism in the assembly of the given scene, and whether
+    /// the mechanism alone would open in another one.
+    fn kept(&self, mechanism: &Mechanism) -> Result<(Solver, bool), Fault> {
+        self.solver.kept(self.seen_at(mechanism), mechanism)
+    }
+
     /// Returns the driver coordinate at which the assembly is compared: the design's start if the
     /// given scene reaches it, or else the given scene's start.
-    fn seen_at(&self, scene: &Scene) -> f64 {
-        let [there, here] = [scene, &self.scene].map(|scene| scene.mechanism.driver().start);
+    fn seen_at(&self, mechanism: &Mechanism) -> f64 {
+        let [there, here] = [mechanism, &self.scene.mechanism].map(|of| of.driver().start);
         let mut state = self.solver.state();
         let gets_there = there == here
             || self.solver.solve(there, Order::Position, &mut state) != Condition::NoAssembly;

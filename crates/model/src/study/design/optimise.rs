@@ -4,24 +4,30 @@
 //! The better of two designs is, in this order, the valid one, the one with smaller misses of the
 //! constraints, and the one with the better figure (Deb, 2000). Equality constraints define a set
 //! without interior, which random designs do not hit, so every design is projected onto them before
-//! its evaluation. The best design is polished. Equal seeds give equal designs, for any number of
-//! cores.
+//! its evaluation. The first generation contains the given design, so that a search can be resumed
+//! from its result. A wide generation is projected with a loose tolerance, because its designs differ
+//! by much more than that. The best design is polished. Equal seeds give equal designs, for any
+//! number of cores.
 
-use super::judge::{DesignEvaluator, DesignScore, NONE};
+use super::judge::{DesignEvaluator, DesignProjection, DesignScore, NONE};
 use super::polish::{Polished, polished};
 use super::{DesignFigures, DesignPlan, Goal, PlanAxis};
-use crate::numeric::SeededRng;
+use crate::numeric::{SeededRng, mutate};
 use crate::parallel;
+use nalgebra::DMatrix;
 
 /// Designs per generation for each variable value, and their minimum.
 const FOR_EACH: usize = 12;
 const MIN_COUNT: usize = 24;
-/// The weight of the difference of two designs in a trial design, and the crossover probability of
-/// each number.
-const WEIGHT: f64 = 0.7;
-const CROSSING: f64 = 0.9;
 /// The spread of a generation, relative to the bounds, below which the search has converged.
-const TOGETHER: f64 = 1e-10;
+const TOGETHER: f64 = 1e-8;
+/// Tolerances of equality constraints, relative to their sizes: that of the first generation, and
+/// the smallest one.
+const LOOSE: f64 = 1e-3;
+const TIGHT: f64 = 1e-11;
+/// The tolerance is multiplied by `TIGHTER` once the spread is below `WIDE` times the tolerance.
+const TIGHTER: f64 = 1e-3;
+const WIDE: f64 = 100.0;
 
 /// The parameters of an optimization.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,17 +65,30 @@ pub struct BestDesign {
 pub struct OptimiseState {
     /// The number of generations so far.
     pub generations: u32,
-    /// The best value so far of a design that satisfies the constraints.
+    /// The value of the best design so far; `None` without a design.
     pub best: Option<f64>,
+    /// The total miss of its constraints, relative to their sizes: 0 if all are satisfied. In early
+    /// generations equality constraints are satisfied up to 0.001.
+    pub missed: f64,
+}
+
+/// A design of a generation.
+#[derive(Clone, Debug)]
+struct TrialDesign {
+    numbers: Vec<f64>,
+    worth: DesignScore,
+    /// Approximate derivatives of the slacks of the equality constraints.
+    slopes: Option<DMatrix<f64>>,
+}
+
+impl AsRef<[f64]> for TrialDesign {
+    fn as_ref(&self) -> &[f64] {
+        &self.numbers
+    }
 }
 
 /// Maximum number of generations without an improvement.
 const MAX_REST: u32 = 60;
-
-fn best_of(worths: &[DesignScore]) -> DesignScore {
-    let better = |one, other| if other < one { other } else { one };
-    worths.iter().copied().fold(NONE, better)
-}
 
 impl BestDesign {
     /// Finds the best design. The first of `figures` is optimized; the others are those of
@@ -83,147 +102,232 @@ impl BestDesign {
         order: OptimiseOrder,
         watch: &mut dyn FnMut(OptimiseState) -> bool,
     ) -> Option<BestDesign> {
-        let mut judge = DesignEvaluator::new(figures, constraints, axes, order.greatest);
-        let given = figures.space().given();
-        let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
-        let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, order.seed);
-        let begun: Vec<Vec<f64>> = (0..plan.count()).map(|k| plan.numbers(k)).collect();
+        let judge = DesignEvaluator::new(figures, constraints, axes, order.greatest);
         let mut is_stopped = false;
         let mut go_on = |generations, best: DesignScore| {
             let value = if order.greatest { -best.1 } else { best.1 };
-            let best = (best.0 == 0.0).then_some(value);
-            is_stopped = is_stopped || !watch(OptimiseState { generations, best });
+            let state = OptimiseState {
+                generations,
+                best: Some(value).filter(|value| value.is_finite()),
+                missed: best.0,
+            };
+            is_stopped = is_stopped || !watch(state);
             !is_stopped
         };
-        let from_start = &mut |_| go_on(0, NONE);
-        let (mut generation, mut worth) = settled_all(&judge, &begun, order.threads, from_start);
-        let mut chance = SeededRng::new(order.seed ^ 0x5bd1_e995);
+        let mut search = DesignEvolution::new(judge, order);
+        search.begin(axes, &mut |_| go_on(0, NONE))?;
         let mut made = 0;
-        let mut settled = false;
+        let mut is_together = false;
         let (mut last, mut stays) = (NONE, 0);
-        while made < order.generations && !settled && go_on(made, best_of(&worth)) {
-            let trials: Vec<Vec<f64>> = (0..generation.len())
-                .map(|i| trial(&generation, i, axes, &mut chance))
-                .collect();
-            let best = best_of(&worth);
-            let meanwhile = &mut |_| go_on(made, best);
-            let (trials, found) = settled_all(&judge, &trials, order.threads, meanwhile);
-            if found.len() < worth.len() {
-                // The search was stopped within a generation.
-                generation.extend(trials);
-                worth.extend(found);
+        while made < order.generations && !is_together && stays < MAX_REST {
+            let best = search.best_score();
+            if !go_on(made, best) || !search.advance(&mut |_| go_on(made, best)) {
                 break;
             }
-            for ((design, worth), (trial, found)) in generation
-                .iter_mut()
-                .zip(&mut worth)
-                .zip(trials.into_iter().zip(found))
-            {
-                if found <= *worth {
-                    (*design, *worth) = (trial, found);
-                }
-            }
-            settled = lie_together(&generation, axes);
             made += 1;
-            let now = best_of(&worth);
+            let now = search.best_score();
             stays = if now == last { stays + 1 } else { 0 };
             last = now;
-            if stays >= MAX_REST {
+            let spread = search.spread();
+            is_together = spread <= TOGETHER;
+            if !search.tighten(spread, &mut |_| go_on(made, now)) {
                 break;
             }
         }
-        let best = (0..worth.len()).min_by(|&a, &b| {
-            worth[a]
-                .partial_cmp(&worth[b])
-                .unwrap_or(std::cmp::Ordering::Equal)
-        })?;
-        let so_far = worth[best];
-        let design = judge.judge(generation.swap_remove(best))?;
+        let best = search.best()?.clone();
+        let mut judge = search.judge;
+        let design = judge.judge(best.numbers)?;
         let Polished {
             design,
             is_stationary,
-        } = polished(&mut judge, design, &mut || go_on(made, so_far));
+        } = polished(&mut judge, design, &mut || go_on(made, best.worth));
         let (missed, value) = design.worth;
         Some(BestDesign {
             numbers: design.numbers,
             value: if order.greatest { -value } else { value },
             missed,
             generations: made,
-            settled,
+            settled: is_together,
             stationary: is_stationary,
         })
     }
 }
 
-/// Projects every design onto the equality constraints, on several threads; returns the designs
-/// with their scores. If `watch` returns `false`, returns those finished until then.
-fn settled_all(
-    judge: &DesignEvaluator,
-    designs: &[Vec<f64>],
+/// A generation that evolves.
+struct DesignEvolution {
+    judge: DesignEvaluator,
     threads: usize,
-    watch: &mut dyn FnMut(f64) -> bool,
-) -> (Vec<Vec<f64>>, Vec<DesignScore>) {
-    let settle = |judge: &mut DesignEvaluator, i: usize| judge.settled(designs[i].clone());
-    let room = || judge.clone();
-    let found = parallel::each(designs.len(), threads, room, settle, watch);
-    found.into_iter().unzip()
+    seed: u64,
+    chance: SeededRng,
+    /// The tolerance of equality constraints.
+    tolerance: f64,
+    bounds: Vec<Option<[f64; 2]>>,
+    generation: Vec<TrialDesign>,
 }
 
-/// Returns a design from three others, crossed with the one that it may replace.
-fn trial(
-    generation: &[Vec<f64>],
-    of: usize,
-    axes: &[PlanAxis],
-    chance: &mut SeededRng,
-) -> Vec<f64> {
-    let [a, b, c] = three_others(generation.len(), of, chance);
-    let own = &generation[of];
-    let last = u32::try_from(own.len().saturating_sub(1)).unwrap_or(0);
-    let always = chance.between(0, last) as usize;
-    (0..own.len())
-        .map(|i| {
-            let takes_part = i == always || 0.5 * (1.0 + chance.even()) < CROSSING;
-            if !takes_part {
-                return own[i];
-            }
-            let number = generation[a][i] + WEIGHT * (generation[b][i] - generation[c][i]);
-            let [low, high] = axes[i].ends.unwrap_or([own[i], own[i]]);
-            let (low, high) = (low.min(high), low.max(high));
-            // Beyond a bound, halfway between the old number and the bound.
-            if number < low {
-                0.5 * (own[i] + low)
-            } else if number > high {
-                0.5 * (own[i] + high)
-            } else {
-                number
-            }
-        })
-        .collect()
-}
+/// A function that receives the completed part of a step and stops it by returning `false`.
+type PartWatch<'w> = &'w mut dyn FnMut(f64) -> bool;
 
-/// Returns three different numbers below a count of at least four, all different from `of`.
-fn three_others(count: usize, of: usize, chance: &mut SeededRng) -> [usize; 3] {
-    let last = u32::try_from(count - 1).unwrap_or(u32::MAX);
-    let mut others = [of; 3];
-    for i in 0..3 {
-        loop {
-            let other = chance.between(0, last) as usize;
-            if other != of && !others[..i].contains(&other) {
-                others[i] = other;
-                break;
-            }
+impl DesignEvolution {
+    fn new(judge: DesignEvaluator, order: OptimiseOrder) -> DesignEvolution {
+        DesignEvolution {
+            threads: order.threads,
+            seed: order.seed,
+            chance: SeededRng::new(order.seed ^ 0x5bd1_e995),
+            tolerance: if judge.has_equalities() { LOOSE } else { TIGHT },
+            bounds: judge.ends.iter().copied().map(Some).collect(),
+            generation: Vec::new(),
+            judge,
         }
     }
-    others
+
+    /// Evaluates the first generation: a Latin hypercube, and the given design if it is within the
+    /// bounds.
+    fn begin(&mut self, axes: &[PlanAxis], watch: PartWatch<'_>) -> Option<()> {
+        let given = self.judge.figures.space().given();
+        let count = (FOR_EACH * axes.len()).max(MIN_COUNT);
+        let plan = DesignPlan::latin(axes, &given, u32::try_from(count).ok()?, self.seed);
+        let begun = (0..plan.count()).map(|k| TrialDesign::new(plan.numbers(k)));
+        let mut begun: Vec<TrialDesign> = begun.collect();
+        let mut ends = given.iter().zip(&self.judge.ends);
+        if ends.all(|(v, [low, high])| low <= v && v <= high) {
+            begun[0] = TrialDesign::new(given);
+        }
+        self.generation = self.settled(&begun, watch);
+        Some(())
+    }
+
+    /// Replaces each design by a trial that is at least as good. Returns `false` if the step was
+    /// stopped.
+    fn advance(&mut self, watch: PartWatch<'_>) -> bool {
+        let best = self.best().map(|best| best.numbers.clone());
+        let mut trials = Vec::with_capacity(self.generation.len());
+        for own in &self.generation {
+            let mut trial = own.clone();
+            let base = mutate(
+                &mut trial.numbers,
+                &self.generation,
+                best.as_deref(),
+                &self.bounds,
+                &mut self.chance,
+            );
+            trial.slopes.clone_from(&self.generation[base].slopes);
+            trials.push(trial);
+        }
+        let found = self.settled(&trials, watch);
+        if found.len() < trials.len() {
+            self.generation.extend(found);
+            return false;
+        }
+        for (own, trial) in self.generation.iter_mut().zip(found) {
+            if trial.worth <= own.worth {
+                *own = trial;
+            }
+        }
+        true
+    }
+
+    /// Reduces the tolerance of equality constraints if the generation is narrow. Returns `false`
+    /// if the step was stopped.
+    fn tighten(&mut self, spread: f64, watch: PartWatch<'_>) -> bool {
+        if spread >= WIDE * self.tolerance || self.tolerance <= TIGHT {
+            return true;
+        }
+        self.tolerance = (TIGHTER * self.tolerance).max(TIGHT);
+        let all = self.generation.iter().map(|own| TrialDesign {
+            worth: NONE,
+            ..own.clone()
+        });
+        let all: Vec<TrialDesign> = all.collect();
+        let found = self.settled(&all, watch);
+        let is_whole = found.len() == all.len();
+        if is_whole {
+            self.generation = found;
+        }
+        is_whole
+    }
+
+    /// Projects candidates onto the equality constraints and evaluates them, on several threads. If
+    /// it is stopped, returns those finished until then.
+    fn settled(&self, candidates: &[TrialDesign], watch: PartWatch<'_>) -> Vec<TrialDesign> {
+        let settle = |judge: &mut DesignEvaluator, i: usize| {
+            let candidate = candidates[i].clone();
+            candidate.settled(judge, self.tolerance)
+        };
+        let room = || self.judge.clone();
+        parallel::each(candidates.len(), self.threads, room, settle, watch)
+    }
+
+    /// Returns the best design, the first of several.
+    fn best(&self) -> Option<&TrialDesign> {
+        let by_worth = |a: &&TrialDesign, b: &&TrialDesign| {
+            let order = a.worth.partial_cmp(&b.worth);
+            order.unwrap_or(std::cmp::Ordering::Equal)
+        };
+        self.generation.iter().min_by(by_worth)
+    }
+
+    fn best_score(&self) -> DesignScore {
+        self.best().map_or(NONE, |best| best.worth)
+    }
+
+    /// Returns the largest range of a number in the generation, relative to its bounds and its
+    /// size.
+    fn spread(&self) -> f64 {
+        let spreads = self.judge.ends.iter().enumerate().map(|(i, [from, to])| {
+            let numbers = self.generation.iter().map(|design| design.numbers[i]);
+            let ends = numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+                [low.min(v), high.max(v)]
+            });
+            let [low, high] = ends;
+            let size = (to - from).max(low.abs().max(high.abs()));
+            if high > low { (high - low) / size } else { 0.0 }
+        });
+        spreads.fold(0.0, f64::max)
+    }
 }
 
-fn lie_together(generation: &[Vec<f64>], axes: &[PlanAxis]) -> bool {
-    axes.iter().enumerate().all(|(i, axis)| {
-        let numbers = generation.iter().map(|design| design[i]);
-        let (low, high) = numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
-            (low.min(v), high.max(v))
-        });
-        let [from, to] = axis.ends.unwrap_or([low, high]);
-        high - low <= TOGETHER * (to - from).abs().max(low.abs().max(high.abs()))
-    })
+impl TrialDesign {
+    /// Creates a candidate that is as bad as any.
+    fn new(numbers: Vec<f64>) -> TrialDesign {
+        TrialDesign {
+            numbers,
+            worth: NONE,
+            slopes: None,
+        }
+    }
+
+    /// Projects the candidate onto the equality constraints, and evaluates it. If the equality
+    /// constraints alone make it worse than its present score, nothing else is evaluated.
+    fn settled(self, judge: &mut DesignEvaluator, tolerance: f64) -> TrialDesign {
+        let TrialDesign {
+            mut numbers,
+            worth: (most, _),
+            mut slopes,
+        } = self;
+        if judge.has_equalities() {
+            let Some(start) = judge.judge_equalities(numbers.clone()) else {
+                return TrialDesign::new(numbers);
+            };
+            let onto = DesignProjection::onto_equalities(tolerance);
+            let near = judge.onto(start, &mut slopes, onto);
+            numbers = near.numbers.clone();
+            let missed = judge.score(&near, tolerance).0;
+            if missed > most {
+                return TrialDesign {
+                    numbers,
+                    worth: (missed, f64::INFINITY),
+                    slopes,
+                };
+            }
+        }
+        match judge.judge(numbers.clone()) {
+            Some(design) => TrialDesign {
+                numbers,
+                worth: judge.score(&design, tolerance),
+                slopes,
+            },
+            None => TrialDesign::new(numbers),
+        }
+    }
 }

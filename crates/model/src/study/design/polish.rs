@@ -4,7 +4,9 @@
 //! of Karush, Kuhn and Tucker hold.
 
 use super::hold::ActiveSet;
-use super::judge::{DIFFERENCE, DesignEvaluator, DesignSlopes, JudgedDesign, is_finite};
+use super::judge::{
+    DIFFERENCE, DesignEvaluator, DesignProjection, DesignSlopes, JudgedDesign, is_finite,
+};
 use super::kink::KinkSampling;
 use nalgebra::{DMatrix, DVector};
 
@@ -35,7 +37,7 @@ pub(super) fn polished(
     design: JudgedDesign,
     watch: &mut dyn FnMut() -> bool,
 ) -> Polished {
-    let mut here = judge.onto(design, Some(&[]));
+    let mut here = judge.onto(design, &mut None, DesignProjection::onto_all(&[]));
     let mut curvature = DMatrix::identity(here.numbers.len(), here.numbers.len());
     let mut is_fresh = true;
     let Some(mut slopes) = judge.slopes(&here, DIFFERENCE, true) else {
@@ -102,11 +104,11 @@ fn at_kink(
             if !watch() {
                 break;
             }
-            let KinkSampling::Down(way) = look else {
+            let KinkSampling::Down { way, slacks } = look else {
                 break;
             };
             let length = MAX_LEN / way.amax().max(f64::MIN_POSITIVE);
-            match bettered(judge, &here, &(way * length), &[]) {
+            match bettered(judge, &here, &slacks, &(way * length), &[]) {
                 Some(better) => here = better,
                 None => break,
             }
@@ -128,23 +130,25 @@ fn step(
 ) -> Option<(JudgedDesign, DesignSlopes)> {
     let way = way(hold, &slopes.value, curvature)?;
     let length = (MAX_LEN / way.amax().max(f64::MIN_POSITIVE)).min(1.0);
-    let there = bettered(judge, here, &(way * length), &hold.rows)?;
+    let there = bettered(judge, here, &slopes.slacks, &(way * length), &hold.rows)?;
     let slopes = judge.slopes(&there, DIFFERENCE, true)?;
     Some((there, slopes))
 }
 
 /// Returns a better design in a direction, halving the step as necessary and projecting back onto
-/// the active constraints.
+/// the active constraints. `slacks` are the derivatives of their slacks.
 fn bettered(
     judge: &mut DesignEvaluator,
     here: &JudgedDesign,
+    slacks: &DMatrix<f64>,
     way: &DVector<f64>,
     held: &[usize],
 ) -> Option<JudgedDesign> {
     let mut length = 1.0;
     for _ in 0..HALVINGS {
         if let Some(there) = judge.judge(judge.moved(&here.numbers, &(way * length))) {
-            let there = judge.onto(there, Some(held));
+            let mut slacks = Some(slacks.clone());
+            let there = judge.onto(there, &mut slacks, DesignProjection::onto_all(held));
             if there.worth < here.worth {
                 return Some(there);
             }
@@ -185,10 +189,7 @@ fn update(
     (before, slopes_before): (&JudgedDesign, &DesignSlopes),
     (after, slopes_after): (&JudgedDesign, &DesignSlopes),
 ) {
-    let sizes = judge.ends.iter().map(|[low, high]| high - low);
-    let gone = before.numbers.iter().zip(&after.numbers).zip(sizes);
-    let gone = gone.map(|((a, b), size)| if size > 0.0 { (b - a) / size } else { 0.0 });
-    let gone = DVector::from_iterator(before.numbers.len(), gone);
+    let gone = judge.way_between(&before.numbers, &after.numbers);
     let bent = hold.lagrangian(slopes_after) - hold.lagrangian(slopes_before);
     let image = &*curvature * &gone;
     let own = gone.dot(&image);

@@ -4,6 +4,7 @@ use super::cycle_figure::{CycleFigureSource, FigureProperty, RangeEnd};
 use super::{CycleFigure, Excursion, ExcursionOptions, NoFigure};
 use crate::quantity::{Quantity, Subject, demand};
 use crate::solver::{Condition, GroupId, Range, Solver};
+use std::cell::OnceCell;
 
 /// The best transmission angle, in degrees.
 const BEST: f64 = 90.0;
@@ -91,15 +92,19 @@ impl CycleFigures {
         let Range::Full { .. } = solver.motion().range else {
             return None;
         };
-        let wish = ExcursionOptions::default();
-        let excursions = Excursion::of_all(solver, &self.columns, wish);
+        // Most sets without places have none for their first figure.
+        let excursions = OnceCell::new();
+        let excursions = || {
+            let wish = ExcursionOptions::default();
+            excursions.get_or_init(|| Excursion::of_all(solver, &self.columns, wish))
+        };
         let places = |figure: &CycleFigure| {
             let CycleFigureSource::Of(column, property) = &figure.source else {
                 return None;
             };
             let excursion = || {
                 let place = self.columns.iter().position(|other| other == column)?;
-                let found = excursions.get(place)?.as_ref().ok()?;
+                let found = excursions().get(place)?.as_ref().ok()?;
                 (found.revolutions == 0.0 && !found.is_level()).then_some(found)
             };
             let places = match property {

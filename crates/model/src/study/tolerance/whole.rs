@@ -151,9 +151,9 @@ impl WholeTolerance {
 impl MachinesInMotion {
     /// Opens a machine with these deviations; `None` if it does not assemble like the nominal one.
     fn opened(&mut self, by: &[f64]) -> Option<Solver> {
-        let off = self.given.iter().zip(by).filter(|(_, by)| **by != 0.0);
-        let mechanism = self.solver.mechanism().clone();
-        let mechanism = off.fold(mechanism, |made, (&length, &by)| made.changed(length, by));
+        let off = self.given.iter().copied().zip(by.iter().copied());
+        let off = off.filter(|(_, by)| *by != 0.0);
+        let mechanism = self.solver.mechanism().all_changed(off);
         self.varied.change(by);
         self.varied.plain(&mechanism).or_else(|| {
             let at = mechanism.driver().start;

@@ -72,6 +72,7 @@ catalogue! {
         given_lacks = "given lacks";
         goals_not_met = "no design meets all goals";
         keeps_nothing = "no design meets all limits";
+        value_misses_limits(value: &str) = "{value}, limits not met";
         start_was_written = "wrote a new [start]: without it the scene would open in another assembly";
 
         // The command.

@@ -72,6 +72,7 @@ catalogue! {
         given_lacks = "verilende yok";
         goals_not_met = "hiçbir tasarım bütün hedefleri karşılamıyor";
         keeps_nothing = "hiçbir tasarım bütün sınırlara uymuyor";
+        value_misses_limits(value: &str) = "{value}, sınırlara uymuyor";
         start_was_written = "yeni bir [start] yazıldı: o olmadan sahne başka bir montaj biçiminde açılırdı";
 
         // The command.

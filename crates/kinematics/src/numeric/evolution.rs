@@ -1,0 +1,103 @@
+//! Creates trial designs for differential evolution (Storn and Price, 1997).
+//!
+//! A generation is a set of number vectors. Each is replaced by its trial if that is at least as
+//! good. Callers evaluate and replace, because they know which of two designs is better.
+
+use super::SeededRng;
+
+/// The mean weight of the difference of two designs, and its largest deviation. A weight that
+/// varies keeps small generations from stagnating.
+const WEIGHT: f64 = 0.65;
+const WEIGHT_SPREAD: f64 = 0.25;
+/// The probability of each number to come from the mutant.
+const CROSSING: f64 = 0.9;
+
+/// Crosses a mutant of three random designs with a design, whose numbers are replaced. The mutant
+/// is `a + w (b - c)`; half of the mutants are pulled towards the best design by a random part.
+/// Returns the index of `a`.
+///
+/// A number beyond a bound is set halfway between its old value and the bound. A number without
+/// bounds, such as an angle, may take any value. The generation must not be empty, and all vectors
+/// must have the same length.
+pub fn mutate<G: AsRef<[f64]>>(
+    own: &mut [f64],
+    generation: &[G],
+    best: Option<&[f64]>,
+    bounds: &[Option<[f64; 2]>],
+    rng: &mut SeededRng,
+) -> usize {
+    let last = u32::try_from(generation.len().saturating_sub(1)).unwrap_or(u32::MAX);
+    let origins: [usize; 3] = std::array::from_fn(|_| rng.between(0, last) as usize);
+    let [a, b, c] = origins.map(|i| generation[i].as_ref());
+    let weight = WEIGHT + WEIGHT_SPREAD * rng.even();
+    let pull = rng.even().max(0.0);
+    for (i, (own, bounds)) in own.iter_mut().zip(bounds).enumerate() {
+        if rng.even() > 2.0 * CROSSING - 1.0 {
+            continue;
+        }
+        let towards = best.map_or(0.0, |best| pull * (best[i] - a[i]));
+        let number = a[i] + towards + weight * (b[i] - c[i]);
+        *own = match bounds {
+            Some([low, _]) if number < *low => 0.5 * (*own + low),
+            Some([_, high]) if number > *high => 0.5 * (*own + high),
+            _ => number,
+        };
+    }
+    origins[0]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A generation on a line stays on the line, and within its bounds.
+    #[test]
+    fn trials_stay_in_span_and_within_bounds() {
+        let mut rng = SeededRng::new(5);
+        let generation: Vec<[f64; 2]> = (0..20).map(|k| [f64::from(k), 7.0]).collect();
+        let bounds = [Some([0.0, 19.0]), None];
+        let mut bases = Vec::new();
+        for k in 0..1000 {
+            let mut own = generation[k % 20];
+            bases.push(mutate(
+                &mut own,
+                &generation,
+                Some(&[3.0, 7.0]),
+                &bounds,
+                &mut rng,
+            ));
+            assert!((0.0..=19.0).contains(&own[0]) && own[1] == 7.0, "{own:?}");
+        }
+        assert!(
+            (0..20).all(|k| bases.contains(&k)),
+            "each is a base at times"
+        );
+    }
+
+    /// Minimizes Rosenbrock's function by replacing each design with a better trial.
+    #[test]
+    fn evolution_follows_curved_valley() {
+        let value = |x: &[f64; 2]| (1.0 - x[0]).powi(2) + 100.0 * (x[1] - x[0] * x[0]).powi(2);
+        let mut rng = SeededRng::new(2);
+        let mut draw = || [rng.within(-2.0, 2.0), rng.within(-1.0, 3.0)];
+        let mut all: Vec<[f64; 2]> = (0..24).map(|_| draw()).collect();
+        let best = |all: &[[f64; 2]]| {
+            let better = |a: &usize, b: &usize| value(&all[*a]).total_cmp(&value(&all[*b]));
+            (0..all.len()).min_by(better)
+        };
+        for _ in 0..120 {
+            let first = best(&all).map(|first| all[first]);
+            let first = first.as_ref().map(|first| &first[..]);
+            let bounds = [Some([-2.0, 2.0]), Some([-1.0, 3.0])];
+            for i in 0..all.len() {
+                let mut own = all[i];
+                mutate(&mut own, &all, first, &bounds, &mut rng);
+                if value(&own) <= value(&all[i]) {
+                    all[i] = own;
+                }
+            }
+        }
+        let found = all[best(&all).unwrap()];
+        assert!(value(&found) < 1e-12, "{found:?}");
+    }
+}

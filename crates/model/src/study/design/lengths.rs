@@ -1,0 +1,114 @@
+//! Computes the mechanism of a design from its numbers alone, without parsing the scene again.
+
+use super::DesignSpace;
+use crate::scene::{DependentValues, Measure, Scene, Value};
+use crate::{Length, Mechanism};
+
+/// The relative change of a value that shows which quantities depend on it; absolute for values
+/// below 1.
+const PROBE: f64 = 1.0 / 64.0;
+/// Tolerance for the change found, relative to the change made: rounding error.
+const SAME: f64 = 1e-9;
+
+/// The lengths that follow from the numbers of a design, by themselves or by formulas.
+#[derive(Clone, Debug)]
+pub(super) struct DesignLengths {
+    values: DependentValues,
+    lengths: Vec<SetLength>,
+}
+
+/// A length that is set by one number.
+#[derive(Clone, Copy, Debug)]
+struct SetLength {
+    /// The index of the number: first those of the design, then the computed ones.
+    number: usize,
+    length: Length,
+    /// The given number.
+    given: f64,
+    measure: Measure,
+}
+
+impl DesignLengths {
+    /// Finds the lengths that follow from the numbers of a space. Returns `None` if something else
+    /// that affects the motion follows from them too. All this is determined by changing the text.
+    pub(super) fn of(space: &DesignSpace, all: &[Length]) -> Option<DesignLengths> {
+        let scene = space.scene();
+        let values = DependentValues::of(scene, space.values())?;
+        let each = space.values().iter().chain(values.computed()).enumerate();
+        let set = each.filter_map(|(number, value)| {
+            Some(SetLength {
+                number,
+                length: length_of(value, scene, all)?,
+                given: value.number,
+                measure: value.measure,
+            })
+        });
+        let lengths: Vec<SetLength> = set.collect();
+        let mut found = DesignLengths { values, lengths };
+        found.is_complete(space, all).then_some(found)
+    }
+
+    /// Returns the mechanism of a design. Returns `None` if the parser would reject a length, or if
+    /// a formula has no value.
+    pub(super) fn mechanism(&mut self, space: &DesignSpace, numbers: &[f64]) -> Option<Mechanism> {
+        let computed = self.values.numbers(numbers)?;
+        let number = |i: usize| match i.checked_sub(numbers.len()) {
+            None => numbers[i],
+            Some(i) => computed[i],
+        };
+        let is_read = |set: &SetLength| {
+            let number = number(set.number);
+            number.is_finite() && (number > 0.0 || set.measure == Measure::Coordinate)
+        };
+        let changes = self.lengths.iter();
+        let changes = changes.map(|set| (set.length, number(set.number) - set.given));
+        let given = space.solver().mechanism();
+        (self.lengths.iter().all(is_read)).then(|| given.all_changed(changes))
+    }
+
+    /// Returns the length that each number sets; `None` if a number sets none or several.
+    pub(super) fn by_number(&self) -> Option<Vec<Length>> {
+        let mut sets = self.lengths.iter().enumerate();
+        let is_own =
+            self.values.computed().next().is_none() && sets.all(|(i, set)| set.number == i);
+        is_own.then(|| self.lengths.iter().map(|set| set.length).collect())
+    }
+
+    /// Returns `true` if the scene with other numbers has the mechanism computed from them.
+    fn is_complete(&mut self, space: &DesignSpace, all: &[Length]) -> bool {
+        let values = space.values().iter();
+        let numbers: Vec<f64> = values.map(|value| value.number + probe(value)).collect();
+        let parsed = space.scene().again(&space.text(&numbers));
+        let made = self.mechanism(space, &numbers);
+        parsed.zip(made).is_some_and(|(parsed, made)| {
+            let other = &parsed.mechanism;
+            let finest = SAME * other.reach();
+            let [a, b] = [&made, other].map(Mechanism::driver);
+            let rates = |driver: &crate::Driver| [driver.start, driver.speed, driver.acceleration];
+            let is_same = |by: Vec<f64>| by.iter().all(|by| by.abs() <= finest);
+            made.longer(other, all).is_some_and(is_same)
+                && rates(a) == rates(b)
+                && made.limits() == other.limits()
+        })
+    }
+}
+
+/// Returns the change of a value that shows what depends on it.
+fn probe(value: &Value) -> f64 {
+    PROBE * value.number.abs().max(1.0)
+}
+
+/// Returns the length that a value sets; `None` if it sets none or more than that.
+fn length_of(value: &Value, scene: &Scene, lengths: &[Length]) -> Option<Length> {
+    if !matches!(value.measure, Measure::Length | Measure::Coordinate) {
+        return None;
+    }
+    let by = probe(value);
+    let text = scene.with_value(value, &value.with_number(value.number + by));
+    let other = scene.again(&text)?;
+    let changes = scene.mechanism.longer(&other.mechanism, lengths)?;
+    let mut changed = lengths.iter().zip(changes).filter(|(_, by)| *by != 0.0);
+    let (&length, found) = changed.next()?;
+    let is_all = changed.next().is_none() && (found - by).abs() <= SAME * by;
+    is_all.then_some(length)
+}
