@@ -379,14 +379,14 @@ impl App {
             Action::Redraw => return Effect::Redraw,
             Action::Back => self.back(),
             Action::Help => self.toggle_help(),
-            Action::LineUp => self.scroll_by(-1),
-            Action::LineDown => self.scroll_by(1),
-            Action::PageUp => self.scroll_by(-self.page()),
-            Action::PageDown => self.scroll_by(self.page()),
-            Action::HalfUp => self.scroll_by(-(self.page() / 2).max(1)),
-            Action::HalfDown => self.scroll_by((self.page() / 2).max(1)),
-            Action::Top => self.scroll_by(isize::MIN),
-            Action::End => self.scroll_by(isize::MAX),
+            Action::LineUp
+            | Action::LineDown
+            | Action::PageUp
+            | Action::PageDown
+            | Action::HalfUp
+            | Action::HalfDown
+            | Action::Top
+            | Action::End => self.scroll_by(action.rows(self.page()).unwrap_or(0)),
             Action::Save if matches!(self.shell.mode, Mode::Normal | Mode::Assemblies(_)) => {
                 self.save_own()
             }

@@ -1,7 +1,7 @@
 //! Lists all commands, filters the list and runs one.
 
 use super::{App, Effect, Mode};
-use crate::tui::commands::action::KeyContext;
+use crate::tui::commands::action::{KeyContext, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::palette::list::{CommandList, Listed};
@@ -21,15 +21,10 @@ impl App {
         };
         match key {
             Key::Enter => return Some(self.command(now)),
-            Key::Backspace if palette.typed().is_empty() => self.shell.mode = Mode::Normal,
+            Key::Backspace if palette.line.text().is_empty() => self.shell.mode = Mode::Normal,
             Key::Escape => self.shell.mode = Mode::Normal,
-            Key::Up => palette.move_by(-1),
-            Key::Down => palette.move_by(1),
-            Key::PageUp => palette.move_by(-page),
-            Key::PageDown => palette.move_by(page),
-            Key::Home => palette.move_by(isize::MIN),
-            Key::End => palette.move_by(isize::MAX),
-            _ => match palette.line().change(key) {
+            _ if let Some(rows) = key.rows(page) => palette.list.move_by(rows),
+            _ => match palette.line.change(key) {
                 Some(true) => palette.narrow(),
                 None if matches!(key, Key::Ctrl(_)) => return None,
                 Some(false) | None => {}
@@ -44,11 +39,14 @@ impl App {
         let Mode::Palette(palette) = &self.shell.mode else {
             return Effect::Show;
         };
-        let (chosen, typed) = (palette.chosen(), palette.typed().to_owned());
+        let (chosen, typed) = (
+            palette.list.chosen().copied(),
+            palette.line.text().to_owned(),
+        );
         self.shell.mode = Mode::Normal;
         let row = match chosen {
-            Some(Listed::Command(row)) => row,
-            Some(Listed::Topic(at, _)) => {
+            Some(Listed::Command(action)) => entry_of(action),
+            Some(Listed::Topic(at)) => {
                 let columns = self.shell.size.width;
                 let help = Help::telling(at, &typed, columns, &self.shell.keymap);
                 self.shell.mode = Mode::Help(help);

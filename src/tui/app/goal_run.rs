@@ -5,6 +5,7 @@ use crate::scene::Value;
 use crate::study::{
     DesignFigures, DesignSpace, FoundDesign, Goal, GoalSearch, PlanAxis, SearchOutcome,
 };
+use crate::tui::commands::list::moved;
 use crate::tui::document::search_progress::SearchProgress;
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
@@ -97,11 +98,7 @@ impl GoalRun {
 
     /// Selects the next or previous design, if there is one.
     pub(super) fn step(&mut self, forward: bool) {
-        let most = self.count().saturating_sub(1);
-        let next = self
-            .cursor
-            .saturating_add_signed(if forward { 1 } else { -1 });
-        self.cursor = next.min(most);
+        self.cursor = moved(self.cursor, if forward { 1 } else { -1 }, self.count());
     }
 
     fn chosen(&self) -> Option<&FoundDesign> {

@@ -60,7 +60,7 @@ impl Mode {
             Mode::GoTo(line) | Mode::Guess(line) | Mode::Goal(line) | Mode::Value(line) => {
                 Some(line)
             }
-            Mode::Palette(palette) => Some(palette.line()),
+            Mode::Palette(palette) => Some(&mut palette.line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
             Mode::PlotList(list) => list.typed(),

@@ -76,35 +76,27 @@ impl App {
         };
         if list.read().is_some() {
             match key {
-                Key::Up | Key::Char('k') => list.scroll_by(-1, most),
-                Key::Down | Key::Char('j') => list.scroll_by(1, most),
-                Key::PageUp => list.scroll_by(-page, most),
-                Key::PageDown => list.scroll_by(page, most),
+                _ if let Some(lines) = key.rows_or_letter(page) => list.scroll_by(lines, most),
                 Key::Escape | Key::Char('o') => list.set_reading(false),
                 _ => return None,
             }
             return Some(Effect::Show);
         }
-        let typing = list.is_typing();
         match key {
-            Key::Up => list.move_by(-1),
-            Key::Down => list.move_by(1),
-            Key::PageUp => list.move_by(-page),
-            Key::PageDown => list.move_by(page),
+            _ if let Some(rows) = key.rows(page) => list.list.move_by(rows),
             Key::Escape => {
                 if !list.end_search() {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            Key::Enter if typing => list.set_typing(false),
+            Key::Enter if list.typing => list.typing = false,
             _ if let Some(is_new) = list.typed().and_then(|line| line.change(key)) => {
                 if is_new {
                     list.narrow();
                 }
             }
-            Key::Char('/') => list.set_typing(true),
-            Key::Char('k') => list.move_by(-1),
-            Key::Char('j') => list.move_by(1),
+            Key::Char('/') => list.typing = true,
+            _ if let Some(rows) = key.rows_or_letter(page) => list.list.move_by(rows),
             Key::Enter | Key::Char(' ') => self.toggle_plot(),
             Key::Char('o') => list.set_reading(true),
             Key::Char('c') => self.plots.clear(),

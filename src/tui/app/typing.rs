@@ -67,7 +67,9 @@ impl App {
     /// Types pasted text into the current line; ignores it if there is no line.
     pub(crate) fn paste(&mut self, text: &str) {
         if let Mode::Pick(picker) = &mut self.shell.mode {
-            text.chars().for_each(|c| picker.push(c));
+            for c in text.chars() {
+                picker.edit(Key::Char(c));
+            }
         } else if let Some(line) = self.shell.mode.line() {
             text.chars().for_each(|c| line.push(c));
             self.find();

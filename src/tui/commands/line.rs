@@ -103,6 +103,14 @@ impl EditLine {
         line
     }
 
+    /// Creates an empty line for the name or title of a scene.
+    pub(crate) fn for_scene() -> EditLine {
+        EditLine {
+            takes: Takes::Any,
+            ..EditLine::for_search()
+        }
+    }
+
     /// Creates an empty line for a name to search for.
     pub(crate) fn for_search() -> EditLine {
         EditLine {

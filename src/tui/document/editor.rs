@@ -1,6 +1,7 @@
 //! The values of the open scene as edited: cursor, step size, and differences from the file.
 
 use crate::scene::{Measure, Scene, Value};
+use crate::tui::commands::list::moved;
 use crate::tui::document::gathered::{DroppedEdits, GatheredEdits};
 use crate::tui::document::history::History;
 use std::collections::HashMap;
@@ -181,7 +182,7 @@ impl Editor {
         let same = before.and_then(|name| self.values.iter().position(|v| v.name == name));
         match same {
             Some(row) => self.cursor = row,
-            None => self.go(self.cursor.min(self.values.len().saturating_sub(1))),
+            None => self.go(moved(self.cursor, 0, self.values.len())),
         }
     }
 
@@ -243,18 +244,14 @@ impl Editor {
 
     /// Moves the cursor by rows, within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
-        let last = self.values.len().saturating_sub(1);
-        let to = self.cursor.saturating_add_signed(rows).min(last);
-        if to != self.cursor {
-            self.go(to);
-        }
+        self.go_to(moved(self.cursor, rows, self.values.len()));
     }
 
     /// Moves the cursor to a row.
     pub(crate) fn go_to(&mut self, row: usize) {
-        let last = self.values.len().saturating_sub(1);
-        if row.min(last) != self.cursor {
-            self.go(row.min(last));
+        let row = moved(row, 0, self.values.len());
+        if row != self.cursor {
+            self.go(row);
         }
     }
 
@@ -292,9 +289,7 @@ impl Editor {
         let Some(row) = found.next() else {
             return false;
         };
-        if row != self.cursor {
-            self.go(row);
-        }
+        self.go_to(row);
         true
     }
 

@@ -377,7 +377,7 @@ fn check(app: &App) {
             assert!(help.scroll <= most, "line {} of {most}", help.scroll);
         }
         Mode::Pick(picker) => {
-            let (matching, all) = picker.count();
+            let (matching, all) = picker.list.count();
             assert!(matching <= all);
             assert!(
                 matching == 0 || picker.chosen().is_some(),

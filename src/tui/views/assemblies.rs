@@ -6,7 +6,7 @@
 //! > C - (212.6, -165.5)
 //! ```
 
-use super::{columns, cut, mark_more, print};
+use super::{columns, cut, list_rows, print};
 use crate::assembly::pick_text;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -27,20 +27,9 @@ pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) 
     };
     let rows = assembly_list.rows();
     let widths = Widths::of(rows);
-    // Scrolls so that the cursor is visible, centred where possible.
-    let height = usize::from(area.height).max(1);
-    let most = rows.len().saturating_sub(height);
-    let first = cursor.saturating_sub(height / 2).min(most);
-    let seen = rows.iter().enumerate().skip(first);
-    for (y, (i, row)) in (area.top()..area.bottom()).zip(seen) {
-        let line = Rect {
-            y,
-            height: 1,
-            ..area
-        };
-        render_row(app, row, i == cursor, &widths, line, buffer);
+    for (at, line) in list_rows(cursor, rows.len(), area, buffer) {
+        render_row(app, &rows[at], at == cursor, &widths, line, buffer);
     }
-    mark_more(area, first > 0, first < most, buffer);
 }
 
 /// Widths of the parts of a row, in columns.

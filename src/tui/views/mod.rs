@@ -386,6 +386,46 @@ fn first_seen(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> u
     first
 }
 
+/// Returns the first visible row of a list, such that the cursor is in the middle if possible.
+fn first_row(cursor: usize, count: usize, height: usize) -> usize {
+    let most = count.saturating_sub(height);
+    cursor.saturating_sub(height / 2).min(most)
+}
+
+/// Yields the index and the line of each visible row of a list, and draws its scroll marks.
+fn list_rows(
+    cursor: usize,
+    count: usize,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> impl Iterator<Item = (usize, Rect)> + use<> {
+    let first = first_row(cursor, count, area.height.into());
+    let first = first_seen(first, count, area, buffer);
+    (first..count).zip(area.rows())
+}
+
+/// Splits an area into its first `height` lines and the rest.
+fn split(area: Rect, height: u16) -> (Rect, Rect) {
+    let height = height.min(area.height);
+    let below = Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    };
+    (Rect { height, ..area }, below)
+}
+
+/// Splits an area into its first `width` columns and the rest.
+fn split_columns(area: Rect, width: u16) -> (Rect, Rect) {
+    let width = width.min(area.width);
+    let behind = Rect {
+        x: area.x + width,
+        width: area.width - width,
+        ..area
+    };
+    (Rect { width, ..area }, behind)
+}
+
 fn row(area: Rect, y: u16) -> Rect {
     Rect {
         y: area.y + y,
@@ -421,6 +461,11 @@ fn print(buffer: &mut Buffer, x: u16, y: u16, width: u16, text: &str, style: Sty
         next = x + 1;
     }
     next
+}
+
+/// Prints text in the first line of an area, as far as it fits.
+fn print_line(buffer: &mut Buffer, area: Rect, text: &str, part: ScreenPart) {
+    print(buffer, area.x, area.y, area.width, text, theme::part(part));
 }
 
 /// Prints text that ends before column `right`.

@@ -8,6 +8,7 @@ use crate::synthesis::{
     Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
 };
 use crate::tui::TaskOrder;
+use crate::tui::commands::list::moved;
 use crate::tui::document::search_progress::SearchProgress;
 use crate::{Vec2, angle, parallel};
 use std::sync::Arc;
@@ -221,8 +222,7 @@ impl CandidateList {
     /// Moves the cursor by `rows` candidates within the list. A newly selected candidate starts at
     /// its first point.
     pub(crate) fn move_by(&mut self, rows: isize) {
-        let most = self.rows().len().saturating_sub(1);
-        let cursor = self.cursor.saturating_add_signed(rows).min(most);
+        let cursor = moved(self.cursor, rows, self.rows().len());
         if cursor != self.cursor {
             self.cursor = cursor;
             self.change_drawing();

@@ -2,18 +2,19 @@
 //! followed by the matching topics of the manual.
 
 use crate::document::with_ascii_letters;
-use crate::manual::{SearchWords, TOPICS, Topic};
+use crate::manual::SearchWords;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
+use crate::tui::commands::list::List;
 use crate::wording::words;
 
 /// An entry of the list.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Listed {
-    Command(&'static ActionRow),
-    /// A topic of the manual, with its index.
-    Topic(usize, &'static Topic),
+    Command(Action),
+    /// The topic of the manual with this index.
+    Topic(usize),
 }
 
 /// The cost of a keyword match, higher than that of any match in a command's name.
@@ -22,33 +23,20 @@ const KEYWORD: usize = 1000;
 /// All commands, filtered by the typed text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CommandList {
-    line: EditLine,
-    /// Indices into the table of actions, best matches first.
-    found: Vec<usize>,
-    /// Indices into the manual.
-    topics: Vec<usize>,
-    cursor: usize,
+    /// The typed text; [`CommandList::narrow`] must be called after a change.
+    pub(crate) line: EditLine,
+    /// The matching entries, the best first.
+    pub(crate) list: List<Listed>,
 }
 
 impl CommandList {
     pub(crate) fn new() -> CommandList {
         let mut palette = CommandList {
             line: EditLine::for_words(),
-            found: Vec::new(),
-            topics: Vec::new(),
-            cursor: 0,
+            list: List::new(Vec::new()),
         };
         palette.narrow();
         palette
-    }
-
-    pub(crate) fn typed(&self) -> &str {
-        self.line.text()
-    }
-
-    /// Returns the input line; [`CommandList::narrow`] must be called after a change.
-    pub(crate) fn line(&mut self) -> &mut EditLine {
-        &mut self.line
     }
 
     /// Lists the matching commands: the best first, then the shortest, and in the table's order if
@@ -67,36 +55,10 @@ impl CommandList {
         if !typed.trim().is_empty() {
             costs.sort_unstable();
         }
-        self.found = costs.into_iter().map(|(_, at)| at).collect();
-        self.topics = SearchWords::new(&typed).best_topics();
-        self.cursor = 0;
-    }
-
-    /// Yields the listed entries.
-    pub(crate) fn found(&self) -> impl Iterator<Item = Listed> {
-        let commands = self.found.iter().filter_map(|at| rows().nth(*at));
-        let topics = self.topics.iter();
-        let topics = topics.filter_map(|at| Some(Listed::Topic(*at, TOPICS.get(*at)?)));
-        commands.map(Listed::Command).chain(topics)
-    }
-
-    pub(crate) fn count(&self) -> usize {
-        self.found.len() + self.topics.len()
-    }
-
-    pub(crate) fn cursor(&self) -> usize {
-        self.cursor
-    }
-
-    /// Returns the entry under the cursor.
-    pub(crate) fn chosen(&self) -> Option<Listed> {
-        self.found().nth(self.cursor)
-    }
-
-    /// Moves the cursor within the list.
-    pub(crate) fn move_by(&mut self, rows: isize) {
-        let most = self.count().saturating_sub(1);
-        self.cursor = self.cursor.saturating_add_signed(rows).min(most);
+        let commands = costs.into_iter().filter_map(|(_, at)| rows().nth(at));
+        let commands = commands.map(|row| Listed::Command(row.action));
+        let topics = SearchWords::new(&typed).best_topics().into_iter();
+        self.list = List::new(commands.chain(topics.map(Listed::Topic)).collect());
     }
 }
 
@@ -153,25 +115,29 @@ fn cost(typed: &str, text: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::manual::TOPICS;
     use crate::wording::Language;
 
     fn found(typed: &str) -> Vec<&'static str> {
         let mut palette = CommandList::new();
-        typed.chars().for_each(|c| palette.line().push(c));
+        typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
-        let names = palette.found().filter_map(|listed| match listed {
-            Listed::Command(row) => Some(row.name),
-            Listed::Topic(..) => None,
+        let names = palette.list.listed().filter_map(|listed| match listed {
+            Listed::Command(action) => Some(action::entry_of(*action).name),
+            Listed::Topic(_) => None,
         });
         names.collect()
     }
 
     fn topics(typed: &str) -> Vec<&'static str> {
         let mut palette = CommandList::new();
-        typed.chars().for_each(|c| palette.line().push(c));
+        typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
-        let topics = palette.topics.iter();
-        topics.map(|at| TOPICS[*at].name).collect()
+        let topics = palette.list.listed().filter_map(|listed| match listed {
+            Listed::Command(_) => None,
+            Listed::Topic(at) => Some(TOPICS[*at].name),
+        });
+        topics.collect()
     }
 
     /// Terms that occur in no name and no help text find the command, or the topic of the manual

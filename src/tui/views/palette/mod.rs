@@ -10,10 +10,11 @@
 pub(crate) mod list;
 
 use super::popup;
-use super::{columns, cut, print, print_right};
+use super::{columns, cut, first_row, print, print_line, print_right};
+use crate::manual::TOPICS;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::commands::action;
+use crate::tui::commands::action::{self, entry_of};
 use crate::wording::words;
 use list::{CommandList, Listed};
 use ratatui::buffer::Buffer;
@@ -30,40 +31,23 @@ pub(super) fn placed(area: Rect) -> Rect {
 
 pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut Buffer) {
     let place = placed(area);
-    let title = format!(":{}", palette.typed());
+    let title = format!(":{}", palette.line.text());
     let end = popup::frame(app.glyphs(), place, &title, buffer);
     if end > place.x && end < place.right() {
-        print(
-            buffer,
-            end - 1,
-            place.y,
-            1,
-            " ",
-            theme::part(ScreenPart::Caret),
-        );
+        let style = theme::part(ScreenPart::Caret);
+        print(buffer, end - 1, place.y, 1, " ", style);
     }
     let inner = popup::within(place);
-    if palette.count() == 0 {
-        let style = theme::part(ScreenPart::Text);
-        print(
-            buffer,
-            inner.x,
-            inner.y,
-            inner.width,
-            words().no_command_is_that(),
-            style,
-        );
+    let (count, _) = palette.list.count();
+    if count == 0 {
+        let text = words().no_command_is_that();
+        print_line(buffer, inner, text, ScreenPart::Text);
         return;
     }
-    let first = first_seen(palette, inner.height.into());
-    let seen = palette.found().enumerate().skip(first);
-    for (y, (at, row)) in (inner.top()..inner.bottom()).zip(seen) {
-        let line = Rect {
-            y,
-            height: 1,
-            ..inner
-        };
-        render_row(app, row, at == palette.cursor(), line, buffer);
+    let first = first_row(palette.list.cursor(), count, inner.height.into());
+    let seen = palette.list.listed().enumerate().skip(first);
+    for (line, (at, listed)) in inner.rows().zip(seen) {
+        render_row(app, *listed, at == palette.list.cursor(), line, buffer);
     }
 }
 
@@ -76,11 +60,12 @@ fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &m
     let x = print(buffer, line.x, line.y, line.width, mark, theme::part(part));
     let room = line.right().saturating_sub(x);
     let (told, keys) = match listed {
-        Listed::Command(row) => {
-            let keys = action::listed(app.keymap().keys(row.action));
-            ((row.help)(words()).to_owned(), keys)
+        Listed::Command(action) => {
+            let keys = action::listed(app.keymap().keys(action));
+            ((entry_of(action).help)(words()).to_owned(), keys)
         }
-        Listed::Topic(_, topic) => {
+        Listed::Topic(at) => {
+            let topic = &TOPICS[at];
             let told = words().manual_of(topic.called(), (topic.about)(words()));
             (cut(&told, room.into()), String::new())
         }
@@ -92,13 +77,8 @@ fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &m
     }
 }
 
-/// Returns the first visible row, such that the cursor is centred if possible.
-fn first_seen(palette: &CommandList, height: usize) -> usize {
-    let most = palette.count().saturating_sub(height);
-    palette.cursor().saturating_sub(height / 2).min(most)
-}
-
 /// Returns the number of rows and the number of visible ones.
 pub(super) fn extent(palette: &CommandList, area: Rect) -> (usize, usize) {
-    (palette.count(), popup::within(placed(area)).height.into())
+    let rows = popup::within(placed(area)).height;
+    (palette.list.count().0, rows.into())
 }

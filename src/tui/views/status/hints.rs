@@ -34,7 +34,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         let narrow = app.size().width < ROOM_FOR_WORDS;
         let hints = match list.read() {
             Some(_) => vec![(Key::Escape, words().back()), (Key::Down, words().scroll())],
-            None => list_hints(list.is_typing(), narrow),
+            None => list_hints(list.typing, narrow),
         };
         for (key, name) in hints {
             line.hint(&key.to_string(), name);
