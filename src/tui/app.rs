@@ -63,7 +63,7 @@ use crate::tui::views::picker::preview::Previews;
 use crate::tui::views::plots::curves::Plots;
 use crate::wording::{Language, words};
 use comparing::Comparison;
-use goal_run::GoalRun;
+pub(crate) use goal_run::GoalRun;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
@@ -126,8 +126,6 @@ pub(crate) struct App {
     previews: Previews,
     /// The candidate linkages of the last synthesis task.
     candidates: Option<CandidateList>,
-    /// The designs for a goal, while they are searched or browsed.
-    goal_run: Option<GoalRun>,
     /// The comparison with another scene.
     comparison: Comparison,
 
@@ -164,7 +162,6 @@ impl App {
             guess: String::new(),
             previews: Previews::default(),
             candidates: None,
-            goal_run: None,
             comparison: Comparison::default(),
             clerk: JobRunner::default(),
             csv: CsvDialect::default(),

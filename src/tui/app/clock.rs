@@ -1,7 +1,6 @@
 //! Advances playback, studies and cost measurements with time.
 
 use super::super::views::Need;
-use super::goal_run::GoalRun;
 use super::{App, Mode};
 use crate::tui::player::FRAME;
 use crate::tui::views::accuracy::study_run::{Phase, StudyRun, Ticker};
@@ -46,9 +45,8 @@ impl App {
                 let list = self.candidates.as_ref().filter(moves);
                 list.map(|_| self.now + FRAME)
             }
-            Mode::GoalRun => {
-                let run = self.goal_run.as_ref();
-                let searching = run.and_then(GoalRun::percent).map(|_| self.now + FRAME);
+            Mode::GoalRun(ref run) => {
+                let searching = run.percent().map(|_| self.now + FRAME);
                 [self.player.next_frame(), searching]
                     .into_iter()
                     .flatten()

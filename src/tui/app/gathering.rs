@@ -1,6 +1,6 @@
 //! Stages edits and applies them together, for changes that close the linkage only in combination.
 
-use super::{App, Mode, View};
+use super::{App, View};
 use crate::scene::Value;
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::gathered::GatheredEdits;
@@ -80,7 +80,7 @@ impl App {
                 | Action::PreviousPreset
                 | Action::Quit
         );
-        let is_held_up = waits && takes_text && self.shell.mode == Mode::Normal;
+        let is_held_up = waits && takes_text && self.shell.mode.is_normal();
         if is_held_up {
             self.say_that_edits_wait();
         }

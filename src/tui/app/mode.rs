@@ -1,6 +1,7 @@
 //! Defines the input modes.
 
 use super::Unsaved;
+use super::goal_run::GoalRun;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
@@ -11,9 +12,10 @@ use crate::tui::views::picker::list::Picker;
 use crate::tui::views::plots::list::PlotList;
 
 /// The input mode, which receives the keys.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub(crate) enum Mode {
     /// The current view.
+    #[default]
     Normal,
     /// The help overlay.
     Help(Help),
@@ -26,7 +28,7 @@ pub(crate) enum Mode {
     /// The input line for goals, in the scene view.
     Goal(EditLine),
     /// The designs that meet a goal, while they are searched or browsed.
-    GoalRun,
+    GoalRun(Box<GoalRun>),
     /// The list of all commands.
     Palette(CommandList),
     /// The list of assemblies, with the index under the cursor.
@@ -54,6 +56,11 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
+    /// Returns `true` if keys go to the current view.
+    pub(crate) fn is_normal(&self) -> bool {
+        matches!(self, Mode::Normal)
+    }
+
     /// Returns the input line of this mode, if it has one.
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
@@ -67,7 +74,7 @@ impl Mode {
             Mode::Search(search) => Some(&mut search.name),
             Mode::Normal
             | Mode::Tour(_)
-            | Mode::GoalRun
+            | Mode::GoalRun(_)
             | Mode::Assemblies(_)
             | Mode::Confirm(_)
             | Mode::Unsaved(_)

@@ -64,7 +64,7 @@ impl App {
             // A release ends the drag, even if another mode has opened meanwhile.
             (MouseEventKind::Release, _) => self.let_go(),
             // Lists and prompts take keys only.
-            _ if self.shell.mode != Mode::Normal => {}
+            _ if !self.shell.mode.is_normal() => {}
             (MouseEventKind::Press, under) => self.press(under, now),
             (MouseEventKind::Drag, under) => self.drag(&under, now),
         }

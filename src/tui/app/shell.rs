@@ -102,7 +102,7 @@ impl Shell {
     /// Returns the time when the message expires; `None` while the user types, chooses or answers.
     pub(super) fn message_ends(&self) -> Option<Duration> {
         let (since, _) = self.told.as_ref()?;
-        (self.mode == Mode::Normal).then_some(*since + LEGIBLE)
+        self.mode.is_normal().then_some(*since + LEGIBLE)
     }
 
     /// Removes the message if it has expired.

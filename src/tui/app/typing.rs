@@ -37,7 +37,7 @@ impl App {
     /// drawing next to it.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
-        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun =
+        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun(_) =
             self.shell.mode
         {
             return keymap.action_in_list(key);
@@ -49,7 +49,7 @@ impl App {
 
     /// Reports a key without meaning in normal mode.
     fn nothing_meant(&mut self, key: Key) -> Effect {
-        if self.shell.mode == Mode::Normal {
+        if self.shell.mode.is_normal() {
             let help = self.shell.keymap.told(Action::Help);
             self.shell.say(words().means_nothing_here(&key, &help));
         }
@@ -105,7 +105,7 @@ impl App {
             Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Candidates => self.candidates_key(key, now),
-            Mode::GoalRun => self.goal_run_key(key, now),
+            Mode::GoalRun(_) => self.goal_run_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
             Mode::Unsaved(_) => self.answer(key, now),
@@ -153,7 +153,7 @@ impl App {
     pub(super) fn takes(&self, action: Action) -> bool {
         match self.shell.mode {
             Mode::Tour(_) => screens::allows(action),
-            _ => self.shell.mode == Mode::Normal,
+            _ => self.shell.mode.is_normal(),
         }
     }
 
@@ -164,7 +164,7 @@ impl App {
         {
             return;
         }
-        if self.shell.mode != Mode::Normal {
+        if !self.shell.mode.is_normal() {
             self.shell.mode = self.below();
         } else if self.drop_gathered() || self.leave_tolerance() {
         } else if self.is_watching() {

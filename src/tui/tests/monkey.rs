@@ -391,7 +391,7 @@ fn check(app: &App) {
         app.view(),
         View::Accuracy | View::Lengths | View::Motion | View::Working | View::Motor
     );
-    if *app.mode() == Mode::Normal && scrolls {
+    if app.mode().is_normal() && scrolls {
         let most = views::most_scroll(app);
         assert!(
             app.scroll(app.view()) <= most,

@@ -70,7 +70,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
 
 /// Returns the keys that switch between panes, if there are several.
 fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
-    if *app.mode() != Mode::Normal || app.standing().len() < 2 {
+    if !app.mode().is_normal() || app.standing().len() < 2 {
         return Vec::new();
     }
     let actions = [Action::NextPane, Action::Alone];
@@ -113,8 +113,8 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
             words().drop_gathered()
         }
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
-        Action::Back if app.is_watching() && *app.mode() == Mode::Normal => words().back(),
-        Action::Back if app.is_working() && *app.mode() == Mode::Normal => words().stop(),
+        Action::Back if app.is_watching() && app.mode().is_normal() => words().back(),
+        Action::Back if app.is_working() && app.mode().is_normal() => words().stop(),
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => words().next(),
         Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {
             None => words().manual(),
