@@ -36,7 +36,7 @@ use super::{Opened, Origin};
 use crate::capability::{Capability, Colours};
 use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
-use crate::report::{CsvDialect, PositionMethod, Verdict};
+use crate::report::{CsvDialect, Verdict};
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::{Action, TablesAction};
@@ -46,21 +46,16 @@ pub(crate) use crate::tui::commands::view::View;
 use crate::tui::document::Document;
 use crate::tui::document::clerk::JobRunner;
 use crate::tui::document::editor::Editor;
-use crate::tui::figures::cursor::Cursor;
-use crate::tui::figures::search::FoundLine;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
 use crate::tui::views;
-use crate::tui::views::accuracy::study_run::StudyRun;
 use crate::tui::views::candidates::list::CandidateList;
 use crate::tui::views::layout::Composition;
-use crate::tui::views::motion::followed::FollowedPoints;
-use crate::tui::views::motion::viewport::Viewport;
 use crate::tui::views::motor::study::MotorStudy;
 use crate::tui::views::picker::preview::Previews;
-use crate::tui::views::plots::curves::Plots;
+use crate::tui::views::state::ViewStates;
 use crate::wording::{Language, words};
 use comparing::Comparison;
 pub(crate) use goal_run::GoalRun;
@@ -101,27 +96,8 @@ pub(crate) struct App {
     /// The input mode, the current view and the screen.
     shell: Shell,
 
-    // State of the views.
-    /// The motion view's overlays and scale.
-    viewport: Viewport,
-    /// The points marked in the tables and traced in the motion view.
-    followed: FollowedPoints,
-    /// The cursor of the tables.
-    cursor: Cursor,
-    /// The last search text.
-    sought: String,
-    /// The line with the last match, in a view of text lines.
-    found: Option<FoundLine>,
-    /// The plotted curves.
-    plots: Plots,
-    /// The motor study of the open scene.
-    motor: MotorStudy,
-    /// The accuracy study of the open scene.
-    study_run: StudyRun,
-    /// The position method whose iterations replace the study's display, if any.
-    watched: Option<PositionMethod>,
-    /// The initial guess of the watched method, as typed.
-    guess: String,
+    /// The cursors, settings and results of the views.
+    pub(crate) views: ViewStates,
     /// Cached previews of the scenes in the list of presets and files.
     previews: Previews,
     /// The candidate linkages of the last synthesis task.
@@ -150,16 +126,7 @@ impl App {
             player: Player::new(opened),
             document,
             shell: Shell::new(capability, size),
-            viewport: Viewport::default(),
-            followed: FollowedPoints::default(),
-            cursor: Cursor::default(),
-            sought: String::new(),
-            found: None,
-            plots: Plots::default(),
-            motor: MotorStudy::default(),
-            study_run: StudyRun::new(clock::wall_clock),
-            watched: None,
-            guess: String::new(),
+            views: ViewStates::new(clock::wall_clock),
             previews: Previews::default(),
             candidates: None,
             comparison: Comparison::default(),
@@ -212,7 +179,8 @@ impl App {
     /// Switches to the next language and rebuilds all cached text.
     fn next_language(&mut self) {
         Language::spoken().next().speak();
-        self.motor = MotorStudy::default();
+        self.views.motor = MotorStudy::default();
+        self.views.working.forget();
         self.previews.forget();
         self.player.open_scene.say_again();
         if let Some(list) = &mut self.candidates {
@@ -244,28 +212,9 @@ impl App {
         &self.player.playback
     }
 
-    pub(crate) fn study_run(&self) -> &StudyRun {
-        &self.study_run
-    }
-
-    /// Returns the points marked in the tables and traced in the motion view.
-    pub(crate) fn followed(&self) -> &FollowedPoints {
-        &self.followed
-    }
-
     /// Returns the key bindings.
     pub(crate) fn keymap(&self) -> &Keymap {
         &self.shell.keymap
-    }
-
-    /// Returns the motion view's overlays and scale.
-    pub(crate) fn viewport(&self) -> &Viewport {
-        &self.viewport
-    }
-
-    /// Returns the cursor of the tables.
-    pub(crate) fn cursor(&self) -> Cursor {
-        self.cursor
     }
 
     /// Returns the editor of the open scene.
@@ -292,16 +241,6 @@ impl App {
 
     pub(crate) fn mode(&self) -> &Mode {
         &self.shell.mode
-    }
-
-    /// Returns the number of lines by which a view is scrolled.
-    pub(crate) fn scroll(&self, view: View) -> usize {
-        self.shell.scroll[view as usize]
-    }
-
-    /// Returns the line with the last search match, if `view` is the current view.
-    pub(crate) fn found(&self, view: View) -> Option<&FoundLine> {
-        self.found.as_ref().filter(|_| view == self.shell.view)
     }
 
     /// Returns the arrangement of the panes.

@@ -5,6 +5,7 @@ use super::goal_run::GoalRun;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
+use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::offer::list::Offer;
 use crate::tui::views::palette::list::CommandList;
@@ -31,8 +32,8 @@ pub(crate) enum Mode {
     GoalRun(Box<GoalRun>),
     /// The list of all commands.
     Palette(CommandList),
-    /// The list of assemblies, with the index under the cursor.
-    Assemblies(usize),
+    /// The list of assemblies at the driver's coordinate.
+    Assemblies(Box<AssemblyList>),
     /// The list of plottable columns.
     PlotList(PlotList),
     /// The input line for a file name.

@@ -73,6 +73,7 @@ impl App {
     /// Updates everything that a frame shows besides the state. Runs once per frame, after any
     /// number of keys.
     pub(crate) fn catch_up(&mut self) {
+        self.refresh();
         self.follow();
         if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
             list.draw();

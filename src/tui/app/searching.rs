@@ -15,13 +15,13 @@ impl App {
     /// Opens the search line, in the views that have rows or lines.
     pub(super) fn search(&mut self) {
         let from = match self.shell.view.pane().list() {
-            Listing::Figures => SearchOrigin::Tables(self.cursor),
+            Listing::Figures => SearchOrigin::Tables(self.views.cursor),
             Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
             Listing::Lines if views::lines_looked_at(self).is_empty() => {
                 self.shell.say(words().nothing_to_search());
                 return;
             }
-            Listing::Lines => SearchOrigin::Lines(self.scroll(self.shell.view)),
+            Listing::Lines => SearchOrigin::Lines(self.views.scroll[self.shell.view as usize]),
         };
         let name = EditLine::for_search();
         self.shell.mode = Mode::Search(NameSearch { name, from });
@@ -55,7 +55,7 @@ impl App {
             SearchOrigin::Tables(cursor) => self.place_cursor(|_, _| cursor),
             SearchOrigin::Scene(row) => self.document.editor.go_to(row),
             SearchOrigin::Lines(line) => {
-                self.found = None;
+                self.views.found = None;
                 self.scroll_to(line);
             }
         }
@@ -64,20 +64,20 @@ impl App {
     /// Scrolls the current view to a line.
     fn scroll_to(&mut self, line: usize) {
         let most = views::most_scroll(self);
-        self.shell.scroll[self.shell.view as usize] = line.min(most);
+        self.views.scroll[self.shell.view as usize] = line.min(most);
     }
 
     /// Returns the first line to search: after the last match if that is visible, or else the first
     /// visible line.
     fn next_line(&self) -> usize {
-        let first = self.scroll(self.shell.view);
+        let first = self.views.scroll[self.shell.view as usize];
         let seen = first..first + views::page(self);
         let found = self.found_line().filter(|line| seen.contains(line));
         found.map_or(first, |line| line + 1)
     }
 
     pub(super) fn found_line(&self) -> Option<usize> {
-        self.found.as_ref().map(|found| found.line)
+        self.views.found.as_ref().map(|found| found.line)
     }
 
     /// Moves to the best match for the text typed so far, or reports that there is none.
@@ -109,9 +109,9 @@ impl App {
                 self.document.editor.seek(typed, false)
             }
             SearchOrigin::Lines(from) => {
-                self.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
+                self.views.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
                 self.scroll_to(self.found_line().unwrap_or(from));
-                self.found.is_some()
+                self.views.found.is_some()
             }
         }
     }
@@ -129,30 +129,34 @@ impl App {
             return;
         }
         if self.go_to_name(&typed, from) {
-            self.sought = typed;
+            self.views.sought = typed;
             self.shell.mode = Mode::Normal;
         }
     }
 
     /// Moves to the next match of the last search.
     fn find_next(&mut self, from: SearchOrigin) {
-        if self.sought.is_empty() {
+        if self.views.sought.is_empty() {
             return;
         }
         let found = match from {
             SearchOrigin::Tables(_) => {
-                let next = search::next(self.player.open_scene.tables(), &self.sought, self.cursor);
+                let next = search::next(
+                    self.player.open_scene.tables(),
+                    &self.views.sought,
+                    self.views.cursor,
+                );
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
-            SearchOrigin::Scene(_) => self.document.editor.seek(&self.sought, true),
+            SearchOrigin::Scene(_) => self.document.editor.seek(&self.views.sought, true),
             SearchOrigin::Lines(_) => {
                 let lines = views::lines_looked_at(self);
-                self.found = FoundLine::of(&lines, &self.sought, self.next_line());
+                self.views.found = FoundLine::of(&lines, &self.views.sought, self.next_line());
                 self.found_line().map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {
-            self.shell.say(nameless(&self.sought));
+            self.shell.say(nameless(&self.views.sought));
         }
     }
 
@@ -172,15 +176,15 @@ impl App {
         there: impl FnOnce(Cursor, &[sheet::TableLine]) -> Cursor,
     ) {
         let (lines, height) = views::table_lines(self);
-        self.cursor = there(self.cursor, &lines).settled(&lines);
-        let scroll = &mut self.shell.scroll[View::Tables as usize];
-        *scroll = cursor::follow(&lines, self.cursor, *scroll, height);
+        self.views.cursor = there(self.views.cursor, &lines).settled(&lines);
+        let scroll = &mut self.views.scroll[View::Tables as usize];
+        *scroll = cursor::follow(&lines, self.views.cursor, *scroll, height);
     }
 
     /// Marks or unmarks the points of the row under the cursor: a point, or the moving ends of a
     /// vector.
     fn choose(&mut self) {
-        let Cursor { part, row, .. } = self.cursor;
+        let Cursor { part, row, .. } = self.views.cursor;
         let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
@@ -189,7 +193,7 @@ impl App {
         }
         let all = moving
             .iter()
-            .all(|(point, _)| self.followed.contains(*point));
+            .all(|(point, _)| self.views.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let names = words().all_of(&names);
         self.shell.say(if all {
@@ -198,8 +202,8 @@ impl App {
             words().chosen_for_motion(&names)
         });
         for (point, _) in moving {
-            if self.followed.contains(point) == all {
-                self.followed.toggle(point);
+            if self.views.followed.contains(point) == all {
+                self.views.followed.toggle(point);
             }
         }
     }

@@ -36,8 +36,6 @@ pub(super) struct Shell {
     pub view: View,
     /// The visible panes and their arrangement.
     pub composition: Composition,
-    /// The lines by which each view is scrolled.
-    pub scroll: [usize; View::ALL.len()],
     /// The message in the last line, until the next key or until it expires.
     pub message: Option<String>,
     /// The message on the screen and the time when it appeared.
@@ -68,7 +66,6 @@ impl Shell {
             keymap: Keymap::default(),
             view: View::default(),
             composition: Composition::default(),
-            scroll: [0; View::ALL.len()],
             message: None,
             told: None,
             before: None,

@@ -3,6 +3,7 @@
 use super::super::views;
 use super::{App, View};
 use crate::quantity::Catalogue;
+use crate::tui::views::lengths::tolerance_report;
 use crate::wording::words;
 
 impl App {
@@ -16,24 +17,31 @@ impl App {
             self.shell.say(words().no_tolerances());
             return;
         }
-        let first = self.found_line().unwrap_or(self.scroll(View::Lengths));
+        let first = self
+            .found_line()
+            .unwrap_or(self.views.scroll[View::Lengths as usize]);
         let lines = views::lines_looked_at(self);
         let catalogue = Catalogue::new(self.player.open_scene.scene());
         let named = |line: &String| catalogue.find(line.split_whitespace().next()?);
         let figure = lines.iter().skip(first).find_map(named);
         let told = match figure {
-            Some(figure) => self.player.open_scene.tell_tolerance(figure),
+            Some(figure) => tolerance_report(&self.player.open_scene, figure),
             None => Err(words().no_figure_in_line().into()),
         };
-        match told {
-            Ok(()) => self.begin_lengths_anew(),
-            Err(why) => self.shell.say(why),
+        match (told, self.views.lengths.get_mut()) {
+            (Ok(told), Some(study)) => {
+                study.told = Some(told);
+                self.begin_lengths_anew();
+            }
+            (Err(why), _) => self.shell.say(why),
+            (Ok(_), None) => {}
         }
     }
 
     /// Closes the tolerance page of one quantity. Returns `false` if none was open.
     pub(super) fn leave_tolerance(&mut self) -> bool {
-        let was_told = self.player.open_scene.leave_tolerance();
+        let study = self.views.lengths.get_mut();
+        let was_told = study.is_some_and(|study| study.told.take().is_some());
         if was_told {
             self.begin_lengths_anew();
         }
@@ -42,7 +50,7 @@ impl App {
 
     /// Resets search and scrolling after the view's lines have changed.
     fn begin_lengths_anew(&mut self) {
-        self.found = None;
-        self.shell.scroll[View::Lengths as usize] = 0;
+        self.views.found = None;
+        self.views.scroll[View::Lengths as usize] = 0;
     }
 }

@@ -27,7 +27,7 @@ impl App {
             Effect::Show => effect,
             leaving => leaving,
         };
-        self.focus();
+        self.refresh();
         // Another view, scene or list may have fewer lines than the previous scroll position.
         self.scroll_by(0);
         effect
@@ -96,8 +96,8 @@ impl App {
             Mode::GoTo(_) | Mode::Guess(_) | Mode::Goal(_) | Mode::Value(_) | Mode::FileName(_) => {
                 self.line_key(key, now)
             }
-            Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
-                self.take_assembly(cursor, now);
+            Mode::Assemblies(_) => (key == Key::Enter).then(|| {
+                self.take_assembly(now);
                 Effect::Show
             }),
             Mode::PlotList(_) => self.list_key(key),
@@ -170,7 +170,7 @@ impl App {
         } else if self.is_watching() {
             self.watch_method(None);
         } else if self.is_working() {
-            self.study_run.stop();
+            self.views.study_run.stop();
         } else if self.shell.composition.restore_panes(self.shell.size) {
             self.rearrange();
         } else if self.compared().is_some() {

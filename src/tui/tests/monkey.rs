@@ -366,11 +366,9 @@ fn check(app: &App) {
     );
     match app.mode() {
         Mode::Tour(number) => assert!(*number < SCREENS),
-        Mode::Assemblies(cursor) => {
-            let rows = open_scene
-                .assembly_list()
-                .map_or(0, |assembly_list| assembly_list.rows().len());
-            assert!(*cursor < rows, "assembly {cursor} of {rows}");
+        Mode::Assemblies(assemblies) => {
+            let (cursor, (rows, _)) = (assemblies.list.cursor(), assemblies.list.count());
+            assert!(cursor < rows, "assembly {cursor} of {rows}");
         }
         Mode::Help(help) => {
             let most = views::most_scroll(app);
@@ -394,9 +392,9 @@ fn check(app: &App) {
     if app.mode().is_normal() && scrolls {
         let most = views::most_scroll(app);
         assert!(
-            app.scroll(app.view()) <= most,
+            app.views.scroll[app.view() as usize] <= most,
             "scrolled by {} of {most}",
-            app.scroll(app.view())
+            app.views.scroll[app.view() as usize]
         );
     }
     if app.view() == View::Scene {

@@ -16,7 +16,7 @@ mod compact;
 pub(crate) mod forces;
 pub(crate) mod help;
 pub(crate) mod layout;
-mod lengths;
+pub(crate) mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
 pub(crate) mod offer;
@@ -28,6 +28,7 @@ pub(crate) mod plots;
 mod popup;
 mod question;
 mod scene;
+pub(crate) mod state;
 mod status;
 mod table;
 mod tables;
@@ -58,7 +59,7 @@ const MIN_SIZE: Size = Size::new(40, 12);
 const MIN_VALUE: Size = Size::new(20, 6);
 
 pub(crate) use motion::{SeenPlace, Sketch};
-pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
+pub(crate) use pane::{Copied, Listing, Pane, PaneSpot};
 
 impl View {
     /// Returns the pane that shows this view.
@@ -177,8 +178,8 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         let heading = |room| pane.heading(app, room);
         match app.mode() {
             // The list of assemblies takes the second pane's place, next to the drawing.
-            Mode::Assemblies(cursor) if n == 1 => {
-                assemblies::render(app, *cursor, inset(area), buffer);
+            Mode::Assemblies(list) if n == 1 => {
+                assemblies::render(app, list, inset(area), buffer);
                 if let Some(title) = title {
                     let heading = |_| (words().assemblies().to_owned(), String::new());
                     title::over_pane(app, true, heading, title, buffer);

@@ -9,7 +9,7 @@
 //! ```
 
 use super::motion::rule;
-use super::pane::{Copied, Listing, Need, Pane, PaneSpot};
+use super::pane::{Copied, Listing, Pane, PaneSpot};
 use super::{
     Sketch, columns, cut, first_row, inset, list_rows, print, print_right, show, split,
     split_columns,
@@ -101,10 +101,6 @@ impl Pane for SceneView {
 
     fn help_title(&self) -> &'static str {
         words().in_the_scene_view()
-    }
-
-    fn needs(&self) -> Need {
-        Need::Values
     }
 
     fn list(&self) -> Listing {

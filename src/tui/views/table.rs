@@ -18,7 +18,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let placed = placed(app, area);
     let lines = placed.lines();
     let most = lines.len().saturating_sub(area.height.into());
-    let scroll = app.scroll(View::Motion).min(most);
+    let scroll = app.views.scroll[View::Motion as usize].min(most);
     mark_more(area, scroll > 0, scroll < most, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
         render_line(app, &placed, line, Rect { y, ..area }, buffer);

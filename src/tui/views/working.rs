@@ -7,7 +7,7 @@
 //! ```
 
 use super::page;
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Pane};
 use crate::page::{Line, Page};
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
@@ -40,12 +40,8 @@ impl Pane for WorkingView {
         too_many.then(|| words().too_many_links())
     }
 
-    fn needs(&self) -> Need {
-        Need::Working
-    }
-
     fn lines(&self, app: &App, area: Rect) -> Vec<Line> {
-        match app.open_scene().explained() {
+        match app.views.working.get() {
             Some(explained) => page::lines(app, explained.page(), area),
             None => page::words(words().too_many_links(), area),
         }
@@ -69,7 +65,7 @@ impl Pane for WorkingView {
     }
 
     fn page<'a>(&self, app: &'a App) -> Option<(&'static str, &'a Page)> {
-        let explained = app.open_scene().explained()?;
+        let explained = app.views.working.get()?;
         Some((words().the_working(), explained.page()))
     }
 }

@@ -9,14 +9,16 @@
 
 pub(crate) mod study_run;
 
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::{convergence, trade_off};
 use crate::page::{Line, Page};
-use crate::report::{Accuracy, StudyMeasure};
+use crate::report::{Accuracy, PositionMethod, StudyMeasure};
 use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
+use crate::tui::player::live::LiveResult;
+use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
@@ -114,6 +116,51 @@ fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
     }
 }
 
+/// The method whose iterations replace the study's display, if any.
+#[derive(Debug, Default)]
+pub(crate) struct MethodWatch {
+    pub(crate) method: Option<PositionMethod>,
+    /// The initial guess, as typed.
+    pub(crate) guess: String,
+    result: LiveResult<WatchedMethod>,
+}
+
+impl MethodWatch {
+    /// Watches a method from its default guess, or none.
+    pub(crate) fn select(&mut self, method: Option<PositionMethod>) {
+        *self = MethodWatch {
+            method,
+            ..MethodWatch::default()
+        };
+    }
+
+    /// Sets the initial guess.
+    ///
+    /// # Errors
+    /// Returns a message if the guess is invalid for this scene; the previous one then stays.
+    pub(crate) fn begin_at(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
+        if let Some(watched) = self.result.get_mut() {
+            watched.begin_at(guess, open_scene)?;
+        }
+        guess.clone_into(&mut self.guess);
+        Ok(())
+    }
+
+    /// Runs the method at the driver's position while the view is visible.
+    pub(super) fn refresh(&mut self, is_visible: bool, open_scene: &OpenScene) {
+        let guess = &self.guess;
+        let method = self.method.filter(|_| is_visible);
+        let watch = |open_scene: &OpenScene| WatchedMethod::new((method?, guess), open_scene);
+        let result = &mut self.result;
+        result.refresh(method.is_some(), open_scene, watch, WatchedMethod::go);
+    }
+
+    /// Returns the iterations, if the scene is not too large.
+    pub(crate) fn watched(&self) -> Option<&WatchedMethod> {
+        self.result.get()
+    }
+}
+
 /// The accuracy view: speed against error.
 pub(super) struct AccuracyView;
 
@@ -134,17 +181,13 @@ impl Pane for AccuracyView {
         words().in_the_accuracy_view()
     }
 
-    fn needs(&self) -> Need {
-        Need::Study
-    }
-
     fn nothing(&self, app: &App) -> Option<&'static str> {
-        let is_missing = app.is_watching() && app.open_scene().watched().is_none();
+        let is_missing = app.is_watching() && app.views.method.watched().is_none();
         is_missing.then(|| words().too_many_links())
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        match (app.open_scene().watched(), app.study_run().findings()) {
+        match (app.views.method.watched(), app.views.study_run.findings()) {
             (Some(watched), _) => {
                 if let Some(area) = beside_method(watched, body).chart {
                     let chart = convergence(watched.curves());
@@ -163,12 +206,12 @@ impl Pane for AccuracyView {
     }
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
-        if let Some(watched) = app.open_scene().watched() {
+        if let Some(watched) = app.views.method.watched() {
             let list = beside_method(watched, body).list;
             return (page::lines(app, watched.page(), list), list);
         }
         let list = arrange(body).list;
-        let findings = app.study_run().findings();
+        let findings = app.views.study_run.findings();
         let lines = findings.map_or_else(Vec::new, |findings| lines(app, findings, list));
         (lines, list)
     }
@@ -189,7 +232,7 @@ impl Pane for AccuracyView {
                 Action::Quit,
             ];
         }
-        match app.study_run().phase() {
+        match app.views.study_run.phase() {
             Phase::Running => &[
                 Action::Help,
                 Action::Back,
@@ -210,11 +253,11 @@ impl Pane for AccuracyView {
     }
 
     fn progress(&self, app: &App) -> Option<String> {
-        if let Some(watched) = app.open_scene().watched() {
+        if let Some(watched) = app.views.method.watched() {
             return Some(watched.method().title().into());
         }
-        let percent = (app.study_run().progress() * 100.0).floor();
-        match app.study_run().phase() {
+        let percent = (app.views.study_run.progress() * 100.0).floor();
+        match app.views.study_run.phase() {
             Phase::Idle => None,
             Phase::Running => Some(words().measuring(&format!("{percent:>2}"))),
             Phase::Stopped => Some(words().stopped_at(&percent)),

@@ -80,28 +80,28 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     };
     let view = window(app, area);
     let width = usize::from(inset(area).width);
-    drawing::legend_lines(&app.viewport().legend(&view), app.glyphs(), width, most)
+    drawing::legend_lines(&app.views.viewport.legend(&view), app.glyphs(), width, most)
 }
 
 /// Returns the part of the scene's plane visible in this area.
 pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
     let reach = reach(app, area.height);
     let size = (area.width, area.height);
-    let viewport = app.viewport();
+    let viewport = &app.views.viewport;
     viewport.view(app.open_scene(), &reach, size, app.aspect())
 }
 
 /// Returns the extents that a drawing of this height must contain.
 fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
     let open_scene = app.open_scene();
-    let own = app.viewport().reach(open_scene, rows);
-    match (app.mode(), open_scene.assembly_list(), app.compared()) {
-        (Mode::Assemblies(_), Some(assembly_list), _) => Cow::Borrowed(assembly_list.reach()),
+    let own = app.views.viewport.reach(open_scene, rows);
+    match (app.mode(), app.compared()) {
+        (Mode::Assemblies(assemblies), _) => Cow::Borrowed(&assemblies.reach),
         // If the drawing needs only the linkage's extents, the union is cached.
-        (_, _, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
+        (_, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
             Cow::Borrowed(compared.reach())
         }
-        (_, _, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
+        (_, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
         _ => Cow::Borrowed(own),
     }
 }

@@ -10,7 +10,7 @@
 
 pub(crate) mod study;
 
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Pane};
 use super::{MARGIN, Sketch, inset, page, show};
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
@@ -36,7 +36,7 @@ struct MotorAreas {
 }
 
 fn arrange(app: &App, area: Rect) -> MotorAreas {
-    if app.motor().plot().is_none() {
+    if app.views.motor.plot().is_none() {
         let curve = Rect { height: 0, ..area };
         let list = inset(area);
         return MotorAreas { curve, list };
@@ -97,12 +97,8 @@ impl Pane for MotorView {
         (!acts).then(|| words().nothing_acts_in_short())
     }
 
-    fn needs(&self) -> Need {
-        Need::Motor
-    }
-
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        if let Some(plot) = app.motor().plot() {
+        if let Some(plot) = app.views.motor.plot() {
             render_curve(app, plot, arrange(app, body).curve, buffer);
         }
         let (lines, list) = self.listed(app, body);
@@ -115,16 +111,19 @@ impl Pane for MotorView {
     }
 
     fn copy(&self, app: &App) -> Copied {
-        app.motor().text(true).map_or(Copied::Nothing, Copied::Text)
+        app.views
+            .motor
+            .text(true)
+            .map_or(Copied::Nothing, Copied::Text)
     }
 
     fn csv(&self, app: &App) -> Result<String, String> {
-        let motor = app.motor();
+        let motor = &app.views.motor;
         motor.csv(app.csv_dialect()).ok_or_else(|| motor.nothing())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        let motor = app.motor();
+        let motor = &app.views.motor;
         let text = motor.svg(app.open_scene()).ok_or_else(|| motor.nothing())?;
         Ok((words().the_curve(), text))
     }
@@ -135,7 +134,7 @@ impl Pane for MotorView {
 }
 
 fn lines(app: &App, list: Rect) -> Vec<Line> {
-    let page = app.motor().page();
+    let page = app.views.motor.page();
     page.map_or_else(Vec::new, |page| page::lines(app, page, list))
 }
 
@@ -148,7 +147,7 @@ fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
         extrema: true,
         first: 0,
     };
-    let here = app.motor().here(app.open_scene());
+    let here = app.views.motor.here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
 }

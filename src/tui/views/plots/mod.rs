@@ -10,7 +10,7 @@ pub(crate) mod curves;
 mod excursion_note;
 pub(crate) mod list;
 
-use super::pane::{Copied, Need, Pane, PaneSpot};
+use super::pane::{Copied, Pane, PaneSpot};
 use super::{
     Sketch, columns, cut, first_seen, inset, list_rows, mark_more, page, print, print_line,
     print_right, show, split, split_columns,
@@ -92,10 +92,6 @@ impl Pane for PlotsView {
         words().in_the_plots()
     }
 
-    fn needs(&self) -> Need {
-        Need::Curves
-    }
-
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         if let Some((first, lines)) = read(app, body) {
             render_read(app, first, &lines, inset(body), buffer);
@@ -112,9 +108,9 @@ impl Pane for PlotsView {
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
         let area = arrange(app, body).plot.filter(|area| area.contains(at))?;
-        let plot = app.plots().plot().ok()?;
+        let plot = app.views.plots.plot().ok()?;
         let along = || plot.along(&style(app, area), at.x - area.x);
-        match app.plots().curves()?.abscissa {
+        match app.views.plots.curves()?.abscissa {
             Abscissa::Driver => along().map(PaneSpot::Along),
             Abscissa::Time if app.open_scene().timetable().is_some() => along().map(PaneSpot::Time),
             Abscissa::Time | Abscissa::Figure(_) => None,
@@ -125,7 +121,7 @@ impl Pane for PlotsView {
         if let Some((_, lines)) = read(app, body) {
             return (lines.len(), inset(body).height.into());
         }
-        match (arrange(app, body).list, app.mode(), app.plots().plot()) {
+        match (arrange(app, body).list, app.mode(), app.views.plots.plot()) {
             (Some(body), Mode::PlotList(list), _) => {
                 (list.list.count().0, rows_of_list(app, body).height.into())
             }
@@ -135,7 +131,7 @@ impl Pane for PlotsView {
     }
 
     fn is_timed(&self, app: &App) -> bool {
-        app.plots().is_timed()
+        app.views.plots.is_timed()
     }
 
     fn hints(&self, _app: &App) -> &'static [Action] {
@@ -152,20 +148,21 @@ impl Pane for PlotsView {
     }
 
     fn copy(&self, app: &App) -> Copied {
-        app.plots().curves().map_or(Copied::Nothing, |curves| {
-            let here = app.plots().here(app.open_scene());
+        app.views.plots.curves().map_or(Copied::Nothing, |curves| {
+            let here = app.views.plots.here(app.open_scene());
             Copied::Text(copying::plotted(curves, app.open_scene().at(), here))
         })
     }
 
     fn csv(&self, app: &App) -> Result<String, String> {
-        app.plots()
+        app.views
+            .plots
             .csv(app.csv_dialect())
             .ok_or_else(|| words().nothing_plotted_to_write().into())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        let text = app.plots().svg(app.open_scene());
+        let text = app.views.plots.svg(app.open_scene());
         let text = text.ok_or(words().nothing_plotted_to_write())?;
         Ok((words().the_plot(), text))
     }
@@ -183,7 +180,7 @@ fn read(app: &App, body: Rect) -> Option<(usize, Vec<Line>)> {
     let first = list.read()?;
     Some((
         first,
-        page::lines(app, app.plots().noted_page(), inset(body)),
+        page::lines(app, app.views.plots.noted_page(), inset(body)),
     ))
 }
 
@@ -195,7 +192,7 @@ fn render_read(app: &App, first: usize, lines: &[Line], area: Rect, buffer: &mut
 }
 
 fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
-    let plot = match app.plots().plot() {
+    let plot = match app.views.plots.plot() {
         Ok(plot) => plot,
         Err(why) => {
             tell(app, why, area, buffer);
@@ -204,7 +201,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let area = tell_what_is_hidden(app, area, buffer);
     let look = style(app, area);
-    let here = app.plots().here(app.open_scene());
+    let here = app.views.plots.here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
     mark_panels(plot, &look, area, buffer);
@@ -217,14 +214,14 @@ fn style(app: &App, area: Rect) -> PlotStyle {
         rows: area.height,
         glyphs: app.glyphs(),
         aspect: app.aspect(),
-        extrema: app.plots().extrema(),
-        first: app.scroll(View::Plots),
+        extrema: app.views.plots.extrema(),
+        first: app.views.scroll[View::Plots as usize],
     }
 }
 
 /// Prints the reason why some curves are hidden, and returns the area below it.
 fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
-    let Some(why) = app.plots().hidden() else {
+    let Some(why) = app.views.plots.hidden() else {
         return area;
     };
     let lines = crate::page::wrapped(&shown(&why, app.glyphs()), area.width.into());
@@ -281,7 +278,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     match list.search() {
         None => {
             print_line(buffer, area, words().plot_what(), ScreenPart::Quiet);
-            let count = words().some_of(app.plots().count(), all);
+            let count = words().some_of(app.views.plots.count(), all);
             print_right(buffer, area.right(), area.y, &count, quiet);
         }
         Some((text, typing)) => {
@@ -311,7 +308,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
     for (at, row) in list_rows(cursor, found, rows, buffer) {
         render_row(app, listed[at], at == cursor, row, buffer);
     }
-    let notes = app.plots().noted();
+    let notes = app.views.plots.noted();
     for (row, line) in area
         .rows()
         .skip_while(|row| row.y <= rows.bottom())
@@ -325,7 +322,7 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
 /// Renders a quantity of the list: the cursor, the mark of a plotted one, its name and its unit.
 fn render_row(app: &App, quantity: &Quantity, is_here: bool, row: Rect, buffer: &mut Buffer) {
     let part = |other| theme::part(if is_here { ScreenPart::Key } else { other });
-    let mark = match (is_here, app.plots().is_chosen(&quantity.name)) {
+    let mark = match (is_here, app.views.plots.is_chosen(&quantity.name)) {
         (true, true) => "> [x] ",
         (true, false) => "> [ ] ",
         (false, true) => "  [x] ",
@@ -333,7 +330,7 @@ fn render_row(app: &App, quantity: &Quantity, is_here: bool, row: Rect, buffer: 
     };
     let style = part(ScreenPart::Text);
     let x = print(buffer, row.x, row.y, row.width, mark, style);
-    let plot = app.plots().plot().ok();
+    let plot = app.views.plots.plot().ok();
     if let Some(role) = plot.and_then(|plot| plot.role_of(&quantity.name)) {
         // The mark between the brackets has the curve's hue.
         let at = row.x + columns(&mark[..MARKED]);
@@ -354,7 +351,7 @@ fn render_row(app: &App, quantity: &Quantity, is_here: bool, row: Rect, buffer: 
 /// fit.
 fn rows_of_list(app: &App, area: Rect) -> Rect {
     let rows = split(area, HEAD).1;
-    let notes = u16::try_from(app.plots().noted().len()).unwrap_or(0);
+    let notes = u16::try_from(app.views.plots.noted().len()).unwrap_or(0);
     match notes > 0 && rows.height >= 2 * (notes + 1) {
         true => split(rows, rows.height - notes - 1).0,
         false => rows,

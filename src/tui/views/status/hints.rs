@@ -48,7 +48,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     }
     for &action in offered(app) {
         if (action == Action::LineDown && !can_scroll)
-            || (action == FIT && app.viewport().lens.fits())
+            || (action == FIT && app.views.viewport.lens.fits())
         {
             continue;
         }
@@ -122,10 +122,10 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         },
         Action::Plots(PlotsAction::Choose) => words().choose(),
         Action::Plots(PlotsAction::Abscissa) => words().along_x(),
-        Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => {
+        Action::Look(_) if app.views.study_run.phase() == Phase::Stopped && is_looked_at => {
             words().go_on()
         }
-        Action::Look(_) if app.study_run().phase() == Phase::Done && is_looked_at => {
+        Action::Look(_) if app.views.study_run.phase() == Phase::Done && is_looked_at => {
             words().again()
         }
         _ => (entry_of(action).hint)(words()),
