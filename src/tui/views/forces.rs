@@ -32,20 +32,8 @@ use ratatui::layout::Rect;
 pub(super) struct ForcesView;
 
 impl Pane for ForcesView {
-    fn name(&self) -> &'static str {
-        "forces"
-    }
-
     fn view(&self) -> View {
         View::Forces
-    }
-
-    fn about(&self) -> &'static str {
-        words().forces_everywhere()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_forces_view()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {

@@ -7,7 +7,7 @@
 //! ```
 
 use super::pane::{Copied, Pane};
-use super::{Sketch, inset, page};
+use super::{Sketch, inset, page, split};
 use crate::page::{Content, Line, Page, Row, cut};
 use crate::quantity::{Catalogue, Quantity, Sensitivity};
 use crate::report::{Answers, ToleranceAnswers, ToleranceReport};
@@ -111,20 +111,8 @@ fn has_too_many_lengths(scene: &Scene) -> bool {
 pub(super) struct LengthsView;
 
 impl Pane for LengthsView {
-    fn name(&self) -> &'static str {
-        "lengths"
-    }
-
     fn view(&self) -> View {
         View::Lengths
-    }
-
-    fn about(&self) -> &'static str {
-        words().lengths_and_figures()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_lengths_view()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {
@@ -181,12 +169,7 @@ impl Pane for LengthsView {
 
 /// Returns the area of the rows, below a fixed head line if there is one.
 fn below(head: Option<&Line>, area: Rect) -> Rect {
-    let head = u16::from(head.is_some());
-    Rect {
-        y: area.y + head,
-        height: area.height.saturating_sub(head),
-        ..area
-    }
+    split(area, u16::from(head.is_some())).1
 }
 
 /// Returns the fixed head line of the only table, if there is one, and the rows; or a message.

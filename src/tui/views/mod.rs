@@ -416,6 +416,18 @@ fn split(area: Rect, height: u16) -> (Rect, Rect) {
     (Rect { height, ..area }, below)
 }
 
+/// Places a chart next to a list of the first width that leaves it `least` columns, or else above
+/// the list in `rows` lines. Returns the areas of both.
+fn chart_and_list(area: Rect, widths: &[u16], least: u16, rows: u16) -> (Rect, Rect) {
+    let left = |width: &u16| area.width.checked_sub(width + 1 + MARGIN);
+    let mut left = widths.iter().filter_map(left);
+    let (chart, list) = match left.find(|width| *width >= least) {
+        Some(width) => split_columns(area, width),
+        None => split(area, rows),
+    };
+    (chart, inset(list))
+}
+
 /// Splits an area into its first `width` columns and the rest.
 fn split_columns(area: Rect, width: u16) -> (Rect, Rect) {
     let width = width.min(area.width);

@@ -18,15 +18,6 @@ use ratatui::layout::{Position, Rect};
 
 /// A view.
 pub(crate) trait Pane {
-    /// Returns its one-word name, as used in the status line and on the command line.
-    fn name(&self) -> &'static str;
-
-    /// Returns its description in the help of the command line.
-    fn about(&self) -> &'static str;
-
-    /// Returns the title above its own keys in the help.
-    fn help_title(&self) -> &'static str;
-
     /// Returns the view itself, by which scroll offsets are stored.
     fn view(&self) -> View;
 

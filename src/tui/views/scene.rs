@@ -87,20 +87,8 @@ struct ColumnWidths {
 pub(super) struct SceneView;
 
 impl Pane for SceneView {
-    fn name(&self) -> &'static str {
-        "scene"
-    }
-
     fn view(&self) -> View {
         View::Scene
-    }
-
-    fn about(&self) -> &'static str {
-        words().what_the_scene_gives()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_scene_view()
     }
 
     fn list(&self) -> Listing {

@@ -29,20 +29,8 @@ use ratatui::layout::{Position, Rect};
 pub(super) struct TablesView;
 
 impl Pane for TablesView {
-    fn name(&self) -> &'static str {
-        "tables"
-    }
-
     fn view(&self) -> View {
         View::Tables
-    }
-
-    fn about(&self) -> &'static str {
-        words().tables_all()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_tables()
     }
 
     fn list(&self) -> Listing {

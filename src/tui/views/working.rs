@@ -19,20 +19,8 @@ use ratatui::layout::Rect;
 pub(super) struct WorkingView;
 
 impl Pane for WorkingView {
-    fn name(&self) -> &'static str {
-        "working"
-    }
-
     fn view(&self) -> View {
         View::Working
-    }
-
-    fn about(&self) -> &'static str {
-        words().working_line_by_line()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_working()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {

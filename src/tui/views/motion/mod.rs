@@ -128,18 +128,6 @@ pub(super) struct MotionView;
 pub(super) struct DrawingPane;
 
 impl Pane for DrawingPane {
-    fn name(&self) -> &'static str {
-        MotionView.name()
-    }
-
-    fn about(&self) -> &'static str {
-        MotionView.about()
-    }
-
-    fn help_title(&self) -> &'static str {
-        MotionView.help_title()
-    }
-
     fn view(&self) -> View {
         View::Motion
     }
@@ -164,20 +152,8 @@ impl Pane for DrawingPane {
 }
 
 impl Pane for MotionView {
-    fn name(&self) -> &'static str {
-        "motion"
-    }
-
-    fn about(&self) -> &'static str {
-        words().drawing_with_live_tables()
-    }
-
     fn view(&self) -> View {
         View::Motion
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().what_the_motion_view_shows()
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {

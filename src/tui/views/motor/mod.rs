@@ -11,7 +11,7 @@
 pub(crate) mod study;
 
 use super::pane::{Copied, Pane};
-use super::{MARGIN, Sketch, inset, page, show};
+use super::{Sketch, chart_and_list, inset, page, show, split, split_columns};
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
 use crate::tui::app::{App, View};
@@ -29,67 +29,27 @@ const GAP: u16 = 2;
 /// Minimum and maximum height of a curve above the values, which takes two fifths of the area.
 const ROWS_ABOVE: (u16, u16) = (5, 16);
 
-/// The areas of the curve and of the values.
-struct MotorAreas {
-    curve: Rect,
-    list: Rect,
-}
-
-fn arrange(app: &App, area: Rect) -> MotorAreas {
+/// Returns the areas of the curve and of the values.
+fn arrange(app: &App, area: Rect) -> (Rect, Rect) {
     if app.views.motor.plot().is_none() {
-        let curve = Rect { height: 0, ..area };
-        let list = inset(area);
-        return MotorAreas { curve, list };
-    }
-    let beside = |list: u16| {
-        let left = area.width.checked_sub(list + 1 + MARGIN);
-        left.filter(|&width| width >= MIN_CURVE)
-    };
-    if let Some(width) = beside(WIDE).or(beside(NARROW)) {
-        let list = Rect {
-            x: area.x + width,
-            width: area.width - width,
-            ..area
-        };
-        return MotorAreas {
-            curve: Rect {
-                width: width.saturating_sub(GAP),
-                ..area
-            },
-            list: inset(list),
-        };
+        return (split(area, 0).0, inset(area));
     }
     let (least, most) = ROWS_ABOVE;
-    let height = (area.height * 2 / 5).clamp(least, most).min(area.height);
-    let list = Rect {
-        y: area.y + height,
-        height: area.height - height,
-        ..area
-    };
-    MotorAreas {
-        curve: Rect { height, ..area },
-        list: inset(list),
-    }
+    let rows = (area.height * 2 / 5).clamp(least, most);
+    let (curve, list) = chart_and_list(area, &[WIDE, NARROW], MIN_CURVE, rows);
+    let gap = if curve.width < area.width { GAP } else { 0 };
+    (
+        split_columns(curve, curve.width.saturating_sub(gap)).0,
+        list,
+    )
 }
 
 /// The motor view: the motor's duty over a cycle.
 pub(super) struct MotorView;
 
 impl Pane for MotorView {
-    fn name(&self) -> &'static str {
-        "motor"
-    }
-
     fn view(&self) -> View {
         View::Motor
-    }
-
-    fn about(&self) -> &'static str {
-        words().motor_over_a_cycle()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_motor_view()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {
@@ -99,14 +59,14 @@ impl Pane for MotorView {
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
         if let Some(plot) = app.views.motor.plot() {
-            render_curve(app, plot, arrange(app, body).curve, buffer);
+            render_curve(app, plot, arrange(app, body).0, buffer);
         }
         let (lines, list) = self.listed(app, body);
         page::render(app, self.view(), &lines, list, buffer);
     }
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
-        let list = arrange(app, body).list;
+        let list = arrange(app, body).1;
         (lines(app, list), list)
     }
 
@@ -129,7 +89,7 @@ impl Pane for MotorView {
     }
 
     fn file_part(&self) -> Option<&'static str> {
-        Some(self.name())
+        Some(self.view().name())
     }
 }
 

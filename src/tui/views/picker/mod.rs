@@ -97,13 +97,8 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let (found, all) = picker.list.count();
     let count = words().some_of(found, all);
     if x + columns(&count) < right {
-        print_right(
-            buffer,
-            right,
-            area.y,
-            &count,
-            theme::part(ScreenPart::Quiet),
-        );
+        let style = theme::part(ScreenPart::Quiet);
+        print_right(buffer, right, area.y, &count, style);
     }
 }
 

@@ -69,10 +69,6 @@ fn arrange(app: &App, area: Rect) -> PlotAreas {
 pub(super) struct PlotsView;
 
 impl Pane for PlotsView {
-    fn name(&self) -> &'static str {
-        "plots"
-    }
-
     fn view(&self) -> View {
         View::Plots
     }
@@ -82,14 +78,6 @@ impl Pane for PlotsView {
             Mode::PlotList(list) => list.subject(),
             _ => None,
         }
-    }
-
-    fn about(&self) -> &'static str {
-        words().plotted_over_the_motion()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_plots()
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
