@@ -66,6 +66,7 @@ use ratatui::layout::Size;
 use shell::Shell;
 use std::os::fd::BorrowedFd;
 use std::time::Duration;
+pub(crate) use typing::BackTarget;
 
 /// The effect of an action on the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -270,14 +271,18 @@ impl App {
         self.shell.aspect
     }
 
+    /// Returns the colour depth; the plain theme has no colours.
     pub(crate) fn colours(&self) -> Colours {
-        self.shell.capability.colours
+        match self.shell.theme {
+            Theme::Plain => Colours::None,
+            Theme::Auto | Theme::Light | Theme::Dark => self.shell.capability.colours,
+        }
     }
 
     /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
         Palette {
-            colours: self.shell.capability.colours,
+            colours: self.colours(),
             theme: self.shell.theme,
         }
     }
@@ -309,6 +314,8 @@ impl App {
             return Effect::Show;
         }
         match action {
+            // In a list or the help, it closes that first.
+            Action::Quit if !self.shell.mode.is_normal() => self.back(),
             Action::Quit => return self.quit(),
             Action::Leave => return Effect::Quit,
             Action::Suspend => return Effect::Suspend,
@@ -340,6 +347,10 @@ impl App {
             Action::Assemblies if matches!(self.shell.mode, Mode::Assemblies(_)) => {
                 self.shell.mode = Mode::Normal;
             }
+            // `gg` moves to the top of a list, as in vi.
+            Action::GoTo if matches!(self.shell.mode, Mode::Help(_) | Mode::Assemblies(_)) => {
+                self.scroll_by(isize::MIN);
+            }
             _ if !self.takes(action) => {}
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
@@ -352,7 +363,10 @@ impl App {
             Action::SmallerStep => self.player.steps.smaller(),
             Action::LargerStep => self.player.steps.larger(),
             Action::Palette => self.list_commands(),
-            Action::GoTo => self.shell.mode = Mode::GoTo(EditLine::for_number()),
+            Action::GoTo => {
+                self.player.playback.pause();
+                self.shell.mode = Mode::GoTo(EditLine::for_number());
+            }
             Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),

@@ -87,18 +87,17 @@ impl App {
         is_held_up
     }
 
-    /// Drops the staged edits; undo restores them. Returns `false` if no staging was active.
-    pub(super) fn drop_gathered(&mut self) -> bool {
+    /// Drops the staged edits; undo restores them.
+    pub(super) fn drop_gathered(&mut self) {
         let text = self.player.open_scene.scene().text();
         let Some(dropped) = self.document.editor.drop_gathered(text) else {
-            return false;
+            return;
         };
         self.keep();
         self.shell.say(match dropped {
             0 => words().gathered_made(0),
             _ => words().gathered_dropped(&self.shell.keymap.told(Action::Undo)),
         });
-        true
     }
 
     /// Restores dropped staged edits. Returns `false` if there are none, or if a later edit must be

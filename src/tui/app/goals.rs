@@ -84,8 +84,8 @@ impl App {
             return Some(Effect::Show);
         }
         match self.shell.keymap.action_in_list(key)? {
-            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw => return None,
-            Action::Back => {
+            Action::Leave | Action::Suspend | Action::Redraw => return None,
+            Action::Back | Action::Quit => {
                 let line = EditLine::for_goal(&run.wish.typed);
                 self.shell.mode = Mode::Goal(line);
             }

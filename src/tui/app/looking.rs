@@ -42,6 +42,7 @@ impl App {
         self.shell.view = view;
         if view != before {
             self.views.found = None;
+            self.views.searched = None;
         }
         self.update_needs();
     }

@@ -67,13 +67,13 @@ impl App {
         self.views.scroll[self.shell.view as usize] = line.min(most);
     }
 
-    /// Returns the first line to search: after the last match if that is visible, or else the first
-    /// visible line.
-    fn next_line(&self) -> usize {
+    /// Returns the line from which to search on: the last match if that is visible, or else the
+    /// first visible line. Forwards, the match itself is left out.
+    fn next_line(&self, forward: bool) -> usize {
         let first = self.views.scroll[self.shell.view as usize];
         let seen = first..first + views::page(self);
         let found = self.found_line().filter(|line| seen.contains(line));
-        found.map_or(first, |line| line + 1)
+        found.map_or(first, |line| line + usize::from(forward))
     }
 
     pub(super) fn found_line(&self) -> Option<usize> {
@@ -106,10 +106,10 @@ impl App {
             }
             SearchOrigin::Scene(row) => {
                 self.document.editor.go_to(row);
-                self.document.editor.seek(typed, false)
+                self.document.editor.seek(typed, 0)
             }
             SearchOrigin::Lines(from) => {
-                self.views.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
+                self.views.found = FoundLine::of(&views::lines_looked_at(self), typed, from, true);
                 self.scroll_to(self.found_line().unwrap_or(from));
                 self.views.found.is_some()
             }
@@ -125,38 +125,57 @@ impl App {
         let (typed, from) = (search.name.text().trim().to_owned(), search.from);
         if typed.is_empty() {
             self.shell.mode = Mode::Normal;
-            self.find_next(from);
+            self.find_next(true);
             return;
         }
         if self.go_to_name(&typed, from) {
             self.views.sought = typed;
+            self.views.searched = Some(self.shell.view);
             self.shell.mode = Mode::Normal;
         }
     }
 
-    /// Moves to the next match of the last search.
-    fn find_next(&mut self, from: SearchOrigin) {
+    /// Handles `n` and `N` after a search. Returns `None` for all other keys, and once the search has
+    /// ended.
+    pub(super) fn repeat_search(&mut self, key: Key) -> Option<Effect> {
+        let forward = match key {
+            Key::Char('n') => true,
+            Key::Char('N') => false,
+            _ => return None,
+        };
+        self.views
+            .searched
+            .filter(|view| *view == self.shell.view)?;
+        self.shell.message = None;
+        self.find_next(forward);
+        Some(Effect::Show)
+    }
+
+    /// Moves to the next or the previous match of the last search.
+    fn find_next(&mut self, forward: bool) {
         if self.views.sought.is_empty() {
             return;
         }
-        let found = match from {
-            SearchOrigin::Tables(_) => {
-                let next = search::next(
-                    self.player.open_scene.tables(),
-                    &self.views.sought,
-                    self.views.cursor,
-                );
+        self.views.searched = Some(self.shell.view);
+        let sought = self.views.sought.clone();
+        let found = match self.shell.view.pane().list() {
+            Listing::Figures => {
+                let (tables, here) = (self.player.open_scene.tables(), self.views.cursor);
+                let next = search::next(tables, &sought, here, forward);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
-            SearchOrigin::Scene(_) => self.document.editor.seek(&self.views.sought, true),
-            SearchOrigin::Lines(_) => {
-                let lines = views::lines_looked_at(self);
-                self.views.found = FoundLine::of(&lines, &self.views.sought, self.next_line());
+            Listing::Values => {
+                let step = if forward { 1 } else { -1 };
+                self.document.editor.seek(&sought, step)
+            }
+            Listing::Lines => {
+                let (lines, from) = (views::lines_looked_at(self), self.next_line(forward));
+                self.views.found = FoundLine::of(&lines, &sought, from, forward);
                 self.found_line().map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {
-            self.shell.say(nameless(&self.views.sought));
+            self.shell.say(nameless(&sought));
         }
     }
 

@@ -18,7 +18,7 @@ const USUAL_ASPECT: f64 = 2.0;
 /// the user read it.
 const REACTION: Duration = Duration::from_millis(300);
 /// Time after which a message disappears.
-const LEGIBLE: Duration = Duration::from_secs(8);
+const LEGIBLE: Duration = Duration::from_secs(3);
 
 /// The scene as it was before an edit.
 #[derive(Debug)]

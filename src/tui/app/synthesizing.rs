@@ -77,11 +77,11 @@ impl App {
             return Some(Effect::Show);
         }
         match action {
-            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw | Action::Help => {
+            Action::Leave | Action::Suspend | Action::Redraw | Action::Help => {
                 return None;
             }
-            Action::Back if list.step_out() => {}
-            Action::Back | Action::Open => self.leave_candidates(now),
+            Action::Back | Action::Quit if list.step_out() => {}
+            Action::Back | Action::Quit | Action::Open => self.leave_candidates(now),
             Action::NextView | Action::PreviousView => list.turn_page(sees_both),
             _ if let Some(rows) = action.rows(page) => list.move_by(rows),
             Action::StepBack | Action::Tables(TablesAction::Left) => list.step(false),

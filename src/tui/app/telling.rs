@@ -1,7 +1,7 @@
 //! Shows the effect of all tolerances on one quantity, in the view of lengths.
 
 use super::super::views;
-use super::{App, View};
+use super::{App, BackTarget, View};
 use crate::quantity::Catalogue;
 use crate::tui::views::lengths::tolerance_report;
 use crate::wording::words;
@@ -10,8 +10,8 @@ impl App {
     /// Shows the effect of tolerances on the last found quantity, or on the first visible one; or
     /// returns to all quantities.
     pub(super) fn tell_tolerance(&mut self) {
-        if self.leave_tolerance() {
-            return;
+        if self.back_target() == BackTarget::Tolerance {
+            return self.leave_tolerance();
         }
         if self.player.open_scene.scene().tolerances().is_exact() {
             self.shell.say(words().no_tolerances());
@@ -38,14 +38,12 @@ impl App {
         }
     }
 
-    /// Closes the tolerance page of one quantity. Returns `false` if none was open.
-    pub(super) fn leave_tolerance(&mut self) -> bool {
-        let study = self.views.lengths.get_mut();
-        let was_told = study.is_some_and(|study| study.told.take().is_some());
-        if was_told {
+    /// Closes the tolerance page of one quantity.
+    pub(super) fn leave_tolerance(&mut self) {
+        if let Some(study) = self.views.lengths.get_mut() {
+            study.told = None;
             self.begin_lengths_anew();
         }
-        was_told
     }
 
     /// Resets search and scrolling after the view's lines have changed.

@@ -71,7 +71,9 @@ impl App {
                 picker.edit(Key::Char(c));
             }
         } else if let Some(line) = self.shell.mode.line() {
-            text.chars().for_each(|c| line.push(c));
+            for c in text.chars() {
+                line.edit(Key::Char(c));
+            }
             self.find();
         }
         match &mut self.shell.mode {
@@ -90,7 +92,7 @@ impl App {
     /// Handles a key of the current mode. Returns `None` for keys with the same meaning everywhere.
     fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         match self.shell.mode {
-            Mode::Normal => None,
+            Mode::Normal => self.repeat_search(key),
             Mode::Help(_) => self.handle_search_key(key),
             Mode::Tour(_) => self.turn_page(key),
             Mode::GoTo(_) | Mode::Guess(_) | Mode::Goal(_) | Mode::Value(_) | Mode::FileName(_) => {
@@ -157,7 +159,28 @@ impl App {
         }
     }
 
-    /// Goes one level back: closes a mode, drops staged edits, stops a study or ends a comparison.
+    /// Returns what Esc ends in the current view: only what the view shows.
+    pub(crate) fn back_target(&self) -> BackTarget {
+        let view = self.shell.view;
+        let study = self.views.lengths.get();
+        if view == View::Scene && self.document.editor.gathered.is_some() {
+            BackTarget::StagedEdits
+        } else if view == View::Lengths && study.is_some_and(|study| study.told.is_some()) {
+            BackTarget::Tolerance
+        } else if self.is_watching() {
+            BackTarget::Method
+        } else if view == View::Accuracy && self.is_working() {
+            BackTarget::Study
+        } else if self.shell.composition.is_alone(self.shell.size) {
+            BackTarget::Pane
+        } else if self.compared().is_some() {
+            BackTarget::Comparison
+        } else {
+            BackTarget::Search
+        }
+    }
+
+    /// Goes one level back: closes a mode, or ends what [`App::back_target`] says.
     pub(super) fn back(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode
             && help.show_all()
@@ -166,15 +189,31 @@ impl App {
         }
         if !self.shell.mode.is_normal() {
             self.shell.mode = self.below();
-        } else if self.drop_gathered() || self.leave_tolerance() {
-        } else if self.is_watching() {
-            self.watch_method(None);
-        } else if self.is_working() {
-            self.views.study_run.stop();
-        } else if self.shell.composition.restore_panes(self.shell.size) {
-            self.rearrange();
-        } else if self.compared().is_some() {
-            self.compare();
+            return;
+        }
+        match self.back_target() {
+            BackTarget::StagedEdits => self.drop_gathered(),
+            BackTarget::Tolerance => self.leave_tolerance(),
+            BackTarget::Method => self.watch_method(None),
+            BackTarget::Study => self.views.study_run.stop(),
+            BackTarget::Pane => {
+                self.shell.composition.restore_panes();
+                self.rearrange();
+            }
+            BackTarget::Comparison => self.compare(),
+            BackTarget::Search => self.views.searched = None,
         }
     }
+}
+
+/// What Esc ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BackTarget {
+    StagedEdits,
+    Tolerance,
+    Method,
+    Study,
+    Pane,
+    Comparison,
+    Search,
 }

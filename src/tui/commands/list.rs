@@ -79,8 +79,8 @@ impl Key {
         match self {
             Key::Up => Some(-1),
             Key::Down => Some(1),
-            Key::PageUp => Some(-page),
-            Key::PageDown => Some(page),
+            Key::PageUp | Key::Ctrl('b') => Some(-page),
+            Key::PageDown | Key::Ctrl('f') => Some(page),
             Key::Home => Some(isize::MIN),
             Key::End => Some(isize::MAX),
             _ => None,

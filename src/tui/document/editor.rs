@@ -277,11 +277,15 @@ impl Editor {
     }
 
     /// Moves the cursor to the next value whose name contains `text`, ignoring case. Starts at the
-    /// current value, or after it if `behind`. Returns `false` if there is none.
-    pub(crate) fn seek(&mut self, text: &str, behind: bool) -> bool {
+    /// current value, behind it if `step` is positive, or before it and backwards if `step` is
+    /// negative. Returns `false` if there is none.
+    pub(crate) fn seek(&mut self, text: &str, step: isize) -> bool {
         let sought = text.to_ascii_lowercase();
         let count = self.values.len();
-        let rows = (0..count).map(|i| (self.cursor + i + usize::from(behind)) % count);
+        let rows = (0..count).map(|i| match step < 0 {
+            true => (self.cursor + count - 1 - i) % count,
+            false => (self.cursor + i + usize::from(step > 0)) % count,
+        });
         let mut found = rows.filter(|&row| {
             let name = self.values[row].name.to_ascii_lowercase();
             name.contains(&sought)
@@ -406,21 +410,21 @@ mod tests {
     #[test]
     fn chosen_step_applies_to_values_of_one_kind() {
         let (_, mut editor) = editor("four-bar");
-        assert!(editor.seek("r2 length", false));
+        assert!(editor.seek("r2 length", 0));
         assert_eq!(editor.notch().to_string(), "1");
         editor.finer();
-        assert!(editor.seek("r3 LEN", false));
+        assert!(editor.seek("r3 LEN", 0));
         assert_eq!(editor.notch().to_string(), "0.5");
-        assert!(editor.seek("driver angle", false));
+        assert!(editor.seek("driver angle", 0));
         assert_eq!(editor.notch(), DEGREE);
-        assert!(!editor.seek("nowhere", false));
+        assert!(!editor.seek("nowhere", 0));
         assert_eq!(editor.value().unwrap().name, "driver angle");
     }
 
     #[test]
     fn restored_number_keeps_its_literal() {
         let (scene, mut editor) = editor("excavator-boom");
-        assert!(editor.seek("driver position", false));
+        assert!(editor.seek("driver position", 0));
         let value = editor.value().unwrap().clone();
         assert_eq!(value.literal, "2.0");
         let mut moved = value.clone();

@@ -36,6 +36,8 @@ pub(crate) struct ViewStates {
     pub(crate) scroll: [usize; View::ALL.len()],
     /// The last search text.
     pub(crate) sought: String,
+    /// The view in which `n` and `N` repeat the last search, until the search ends.
+    pub(crate) searched: Option<View>,
     /// The line with the last match, in a view of text lines.
     pub(crate) found: Option<FoundLine>,
 }
@@ -55,6 +57,7 @@ impl ViewStates {
             working: LiveResult::default(),
             scroll: [0; View::ALL.len()],
             sought: String::new(),
+            searched: None,
             found: None,
         }
     }
@@ -67,6 +70,7 @@ impl ViewStates {
         self.followed = FollowedPoints::default();
         self.viewport.lens.reset();
         self.cursor = Cursor::default();
+        self.searched = None;
     }
 
     /// Computes the results of the visible views at the driver's position, and drops those of all

@@ -15,6 +15,7 @@ use crate::manual::TOPICS;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{self, entry_of};
+use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use list::{CommandList, Listed};
 use ratatui::buffer::Buffer;
@@ -23,6 +24,8 @@ use ratatui::layout::Rect;
 /// Maximum size of the list in columns and rows, which does not change while it is filtered.
 const COLUMNS: u16 = 42;
 const ROWS: u16 = 14;
+/// The mark of the selected entry.
+const MARK: &str = "> ";
 
 /// Returns the area of the popup.
 pub(super) fn placed(area: Rect) -> Rect {
@@ -31,7 +34,7 @@ pub(super) fn placed(area: Rect) -> Rect {
 
 pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut Buffer) {
     let place = placed(area);
-    let title = format!(":{}", palette.line.text());
+    let title = format!(":{}", shown(palette.line.text(), app.glyphs()));
     let end = popup::frame(app.glyphs(), place, &title, buffer);
     if end > place.x && end < place.right() {
         let style = theme::part(ScreenPart::Caret);
@@ -47,33 +50,45 @@ pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut 
     let first = first_row(palette.list.cursor(), count, inner.height.into());
     let seen = palette.list.listed().enumerate().skip(first);
     for (line, (at, listed)) in inner.rows().zip(seen) {
-        render_row(app, *listed, at == palette.list.cursor(), line, buffer);
+        let (mut told, mut keys) = (told(*listed, palette), String::new());
+        if let Listed::Command(action) = listed {
+            keys = action::listed(app.keymap().keys(*action));
+        } else {
+            let room = usize::from(line.width).saturating_sub(MARK.len());
+            told = cut(&shown(&told, app.glyphs()), room);
+        }
+        render_row((&told, &keys), at == palette.list.cursor(), line, buffer);
     }
 }
 
-/// Renders a command with its keys at the right, or a topic of the manual.
-fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &mut Buffer) {
+/// Describes an entry.
+fn told(listed: Listed, palette: &CommandList) -> String {
+    match listed {
+        Listed::Command(action) => (entry_of(action).help)(words()).to_owned(),
+        Listed::Topic(at) => {
+            let topic = &TOPICS[at];
+            words().manual_of(topic.called(), (topic.about)(words()))
+        }
+        Listed::SaveAndQuit => words().save_and_quit().to_owned(),
+        Listed::SaveTo => words().save_to(palette.argument()),
+        Listed::OpenFile => words().open_named(palette.argument()),
+        Listed::GoTo => words().go_to_coordinate(palette.line.text().trim()),
+        Listed::Theme(theme) => words().theme_is(theme.name()),
+    }
+}
+
+/// Renders an entry with its keys at the right.
+fn render_row((told, keys): (&str, &str), is_chosen: bool, line: Rect, buffer: &mut Buffer) {
     let (mark, part) = match is_chosen {
-        true => ("> ", ScreenPart::Key),
+        true => (MARK, ScreenPart::Key),
         false => ("  ", ScreenPart::Text),
     };
     let x = print(buffer, line.x, line.y, line.width, mark, theme::part(part));
     let room = line.right().saturating_sub(x);
-    let (told, keys) = match listed {
-        Listed::Command(action) => {
-            let keys = action::listed(app.keymap().keys(action));
-            ((entry_of(action).help)(words()).to_owned(), keys)
-        }
-        Listed::Topic(at) => {
-            let topic = &TOPICS[at];
-            let told = words().manual_of(topic.called(), (topic.about)(words()));
-            (cut(&told, room.into()), String::new())
-        }
-    };
-    let end = print(buffer, x, line.y, room, &told, theme::part(part));
-    if end + 1 + columns(&keys) <= line.right() {
+    let end = print(buffer, x, line.y, room, told, theme::part(part));
+    if end + 1 + columns(keys) <= line.right() {
         let style = theme::part(ScreenPart::Quiet);
-        print_right(buffer, line.right(), line.y, &keys, style);
+        print_right(buffer, line.right(), line.y, keys, style);
     }
 }
 

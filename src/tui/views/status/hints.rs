@@ -1,7 +1,7 @@
 //! The hints of the keys that are useful now.
 
 use super::{Writer, is_listing};
-use crate::tui::app::{App, Mode, View};
+use crate::tui::app::{App, BackTarget, Mode};
 use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::views::accuracy::study_run::Phase;
@@ -40,6 +40,9 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
             line.hint(&key.to_string(), name);
         }
         return;
+    }
+    if app.mode().is_normal() && app.views.searched == Some(app.view()) {
+        line.hint("n N", words().next());
     }
     let listing = is_listing(app);
     let can_scroll = listing || most_scroll(app) > 0;
@@ -89,7 +92,6 @@ fn offered(app: &App) -> &'static [Action] {
             Action::Search,
             Action::NextView,
             Action::LineDown,
-            Action::Quit,
         ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
@@ -109,12 +111,16 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Scene(SceneAction::Gather) if app.editor().gathered.is_some() => {
             words().make_gathered()
         }
-        Action::Back if app.editor().gathered.is_some() && app.view() == View::Scene => {
-            words().drop_gathered()
-        }
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
-        Action::Back if app.is_watching() && app.mode().is_normal() => words().back(),
-        Action::Back if app.is_working() && app.mode().is_normal() => words().stop(),
+        Action::Back if app.mode().is_normal() => match app.back_target() {
+            BackTarget::StagedEdits => words().drop_gathered(),
+            BackTarget::Study => words().stop(),
+            BackTarget::Tolerance
+            | BackTarget::Method
+            | BackTarget::Pane
+            | BackTarget::Comparison
+            | BackTarget::Search => words().back(),
+        },
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => words().next(),
         Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {
             None => words().manual(),

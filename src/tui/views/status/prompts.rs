@@ -112,7 +112,11 @@ fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
 fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().write_to(), ScreenPart::Text);
-    line.typed(&shown(typed.text(), app.glyphs()));
+    let text = shown(typed.text(), app.glyphs());
+    match typed.is_proposal() {
+        true => line.proposed(&text),
+        false => line.typed(&text),
+    }
     end(words().writing(), words().cancel(), app, line);
 }
 
