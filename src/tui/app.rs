@@ -36,7 +36,7 @@ use super::{Opened, Origin};
 use crate::capability::{Capability, Colours};
 use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
-use crate::report::{CsvDialect, PositionMethod, Verdict};
+use crate::report::{CsvDialect, Verdict};
 use crate::solver::Condition;
 use crate::tui::appearance::palette::{Palette, Theme};
 use crate::tui::commands::action::{Action, TablesAction};
@@ -46,24 +46,19 @@ pub(crate) use crate::tui::commands::view::View;
 use crate::tui::document::Document;
 use crate::tui::document::clerk::JobRunner;
 use crate::tui::document::editor::Editor;
-use crate::tui::figures::cursor::Cursor;
-use crate::tui::figures::search::FoundLine;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::playback::{Playback, Track};
 use crate::tui::player::steps::StepLadder;
 use crate::tui::views;
-use crate::tui::views::accuracy::study_run::StudyRun;
 use crate::tui::views::candidates::list::CandidateList;
 use crate::tui::views::layout::Composition;
-use crate::tui::views::motion::followed::FollowedPoints;
-use crate::tui::views::motion::viewport::Viewport;
 use crate::tui::views::motor::study::MotorStudy;
 use crate::tui::views::picker::preview::Previews;
-use crate::tui::views::plots::curves::Plots;
+use crate::tui::views::state::ViewStates;
 use crate::wording::{Language, words};
 use comparing::Comparison;
-use goal_run::GoalRun;
+pub(crate) use goal_run::GoalRun;
 use leaving::Pending;
 pub(crate) use leaving::Unsaved;
 pub(crate) use mode::Mode;
@@ -71,6 +66,7 @@ use ratatui::layout::Size;
 use shell::Shell;
 use std::os::fd::BorrowedFd;
 use std::time::Duration;
+pub(crate) use typing::BackTarget;
 
 /// The effect of an action on the terminal.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -101,33 +97,12 @@ pub(crate) struct App {
     /// The input mode, the current view and the screen.
     shell: Shell,
 
-    // State of the views.
-    /// The motion view's overlays and scale.
-    viewport: Viewport,
-    /// The points marked in the tables and traced in the motion view.
-    followed: FollowedPoints,
-    /// The cursor of the tables.
-    cursor: Cursor,
-    /// The last search text.
-    sought: String,
-    /// The line with the last match, in a view of text lines.
-    found: Option<FoundLine>,
-    /// The plotted curves.
-    plots: Plots,
-    /// The motor study of the open scene.
-    motor: MotorStudy,
-    /// The accuracy study of the open scene.
-    study_run: StudyRun,
-    /// The position method whose iterations replace the study's display, if any.
-    watched: Option<PositionMethod>,
-    /// The initial guess of the watched method, as typed.
-    guess: String,
+    /// The cursors, settings and results of the views.
+    pub(crate) views: ViewStates,
     /// Cached previews of the scenes in the list of presets and files.
     previews: Previews,
     /// The candidate linkages of the last synthesis task.
     candidates: Option<CandidateList>,
-    /// The designs for a goal, while they are searched or browsed.
-    goal_run: Option<GoalRun>,
     /// The comparison with another scene.
     comparison: Comparison,
 
@@ -152,19 +127,9 @@ impl App {
             player: Player::new(opened),
             document,
             shell: Shell::new(capability, size),
-            viewport: Viewport::default(),
-            followed: FollowedPoints::default(),
-            cursor: Cursor::default(),
-            sought: String::new(),
-            found: None,
-            plots: Plots::default(),
-            motor: MotorStudy::default(),
-            study_run: StudyRun::new(clock::wall_clock),
-            watched: None,
-            guess: String::new(),
+            views: ViewStates::new(clock::wall_clock),
             previews: Previews::default(),
             candidates: None,
-            goal_run: None,
             comparison: Comparison::default(),
             clerk: JobRunner::default(),
             csv: CsvDialect::default(),
@@ -215,7 +180,8 @@ impl App {
     /// Switches to the next language and rebuilds all cached text.
     fn next_language(&mut self) {
         Language::spoken().next().speak();
-        self.motor = MotorStudy::default();
+        self.views.motor = MotorStudy::default();
+        self.views.working.forget();
         self.previews.forget();
         self.player.open_scene.say_again();
         if let Some(list) = &mut self.candidates {
@@ -247,28 +213,9 @@ impl App {
         &self.player.playback
     }
 
-    pub(crate) fn study_run(&self) -> &StudyRun {
-        &self.study_run
-    }
-
-    /// Returns the points marked in the tables and traced in the motion view.
-    pub(crate) fn followed(&self) -> &FollowedPoints {
-        &self.followed
-    }
-
     /// Returns the key bindings.
     pub(crate) fn keymap(&self) -> &Keymap {
         &self.shell.keymap
-    }
-
-    /// Returns the motion view's overlays and scale.
-    pub(crate) fn viewport(&self) -> &Viewport {
-        &self.viewport
-    }
-
-    /// Returns the cursor of the tables.
-    pub(crate) fn cursor(&self) -> Cursor {
-        self.cursor
     }
 
     /// Returns the editor of the open scene.
@@ -295,16 +242,6 @@ impl App {
 
     pub(crate) fn mode(&self) -> &Mode {
         &self.shell.mode
-    }
-
-    /// Returns the number of lines by which a view is scrolled.
-    pub(crate) fn scroll(&self, view: View) -> usize {
-        self.shell.scroll[view as usize]
-    }
-
-    /// Returns the line with the last search match, if `view` is the current view.
-    pub(crate) fn found(&self, view: View) -> Option<&FoundLine> {
-        self.found.as_ref().filter(|_| view == self.shell.view)
     }
 
     /// Returns the arrangement of the panes.
@@ -334,14 +271,18 @@ impl App {
         self.shell.aspect
     }
 
+    /// Returns the colour depth; the plain theme has no colours.
     pub(crate) fn colours(&self) -> Colours {
-        self.shell.capability.colours
+        match self.shell.theme {
+            Theme::Plain => Colours::None,
+            Theme::Auto | Theme::Light | Theme::Dark => self.shell.capability.colours,
+        }
     }
 
     /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
         Palette {
-            colours: self.shell.capability.colours,
+            colours: self.colours(),
             theme: self.shell.theme,
         }
     }
@@ -373,20 +314,22 @@ impl App {
             return Effect::Show;
         }
         match action {
+            // In a list or the help, it closes that first.
+            Action::Quit if !self.shell.mode.is_normal() => self.back(),
             Action::Quit => return self.quit(),
             Action::Leave => return Effect::Quit,
             Action::Suspend => return Effect::Suspend,
             Action::Redraw => return Effect::Redraw,
             Action::Back => self.back(),
             Action::Help => self.toggle_help(),
-            Action::LineUp => self.scroll_by(-1),
-            Action::LineDown => self.scroll_by(1),
-            Action::PageUp => self.scroll_by(-self.page()),
-            Action::PageDown => self.scroll_by(self.page()),
-            Action::HalfUp => self.scroll_by(-(self.page() / 2).max(1)),
-            Action::HalfDown => self.scroll_by((self.page() / 2).max(1)),
-            Action::Top => self.scroll_by(isize::MIN),
-            Action::End => self.scroll_by(isize::MAX),
+            Action::LineUp
+            | Action::LineDown
+            | Action::PageUp
+            | Action::PageDown
+            | Action::HalfUp
+            | Action::HalfDown
+            | Action::Top
+            | Action::End => self.scroll_by(action.rows(self.page()).unwrap_or(0)),
             Action::Save if matches!(self.shell.mode, Mode::Normal | Mode::Assemblies(_)) => {
                 self.save_own()
             }
@@ -404,6 +347,10 @@ impl App {
             Action::Assemblies if matches!(self.shell.mode, Mode::Assemblies(_)) => {
                 self.shell.mode = Mode::Normal;
             }
+            // `gg` moves to the top of a list, as in vi.
+            Action::GoTo if matches!(self.shell.mode, Mode::Help(_) | Mode::Assemblies(_)) => {
+                self.scroll_by(isize::MIN);
+            }
             _ if !self.takes(action) => {}
             Action::Save => {}
             Action::Assemblies => self.list_assemblies(),
@@ -416,7 +363,10 @@ impl App {
             Action::SmallerStep => self.player.steps.smaller(),
             Action::LargerStep => self.player.steps.larger(),
             Action::Palette => self.list_commands(),
-            Action::GoTo => self.shell.mode = Mode::GoTo(EditLine::for_number()),
+            Action::GoTo => {
+                self.player.playback.pause();
+                self.shell.mode = Mode::GoTo(EditLine::for_number());
+            }
             Action::Opening => self.player.go_to_opening(now),
             Action::NextPreset => self.open(1),
             Action::PreviousPreset => self.open(-1),

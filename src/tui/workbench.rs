@@ -179,7 +179,6 @@ impl Workbench {
     pub fn text(&mut self) -> String {
         self.app.catch_up();
         self.app.note_frame_shown(self.now);
-        self.app.focus();
         views::prepare(&self.app, &mut self.sketch);
         let mut buffer = Buffer::empty(views::area(&self.app));
         views::render(&self.app, &self.sketch, &mut buffer);

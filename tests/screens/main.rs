@@ -30,6 +30,8 @@ mod gathering;
 #[cfg(feature = "tui")]
 mod glyphs;
 #[cfg(feature = "tui")]
+mod habits;
+#[cfg(feature = "tui")]
 mod light;
 #[cfg(feature = "tui")]
 mod motion;

@@ -157,6 +157,6 @@ fn points_are_selected_for_the_motion_view() {
         assert!(line.contains("never moves: nothing to follow"), "{line}");
     }
     // A scene change clears the selection.
-    session.press("/ C Enter x n p");
+    session.press("/ C Enter x Esc n p");
     assert_eq!(marked(&session.look()), 0);
 }

@@ -1,14 +1,11 @@
 //! Replaces the open scene by another one, or by an edited form of the same one.
 
 use super::shell::SceneBefore;
-use super::{App, Mode, View};
+use super::{App, Mode};
 use crate::tui::Opened;
 use crate::tui::document::opening;
-use crate::tui::figures::cursor::Cursor;
 use crate::tui::player::Player;
 use crate::tui::player::open_scene::OpenScene;
-use crate::tui::views::motion::followed::FollowedPoints;
-use crate::tui::views::plots::curves::Plots;
 use crate::wording::words;
 use std::time::Duration;
 
@@ -34,13 +31,8 @@ impl App {
         self.player = Player::new(opened);
         self.shell.before = None;
         self.scenes += 1;
-        self.study_run.forget();
-        self.plots = Plots::default();
+        self.views.open();
         self.look(self.shell.view);
-        self.shell.scroll = [0; View::ALL.len()];
-        self.followed = FollowedPoints::default();
-        self.viewport.lens.reset();
-        self.cursor = Cursor::default();
         self.meet();
     }
 
@@ -48,17 +40,17 @@ impl App {
     /// new scene can reach it; view and selections stay.
     pub(crate) fn exchange(&mut self, opened: Opened, now: Duration) {
         let before = self.player.open_scene.scene();
-        self.followed = self.followed.moved(before, &opened.scene);
-        self.viewport.lens.move_to(before, &opened.scene);
+        self.views.followed = self.views.followed.moved(before, &opened.scene);
+        self.views.viewport.lens.move_to(before, &opened.scene);
         if let Mode::PlotList(list) = &mut self.shell.mode {
-            let plots = &self.plots;
+            let plots = &self.views.plots;
             list.move_to(&opened.scene, &opened.solver, |name| plots.is_chosen(name));
         }
         self.shell.before = Some(SceneBefore {
             open_scene: self.player.exchange(OpenScene::new(opened), now),
             is_past: false,
         });
-        self.study_run.forget();
+        self.views.study_run.forget();
         self.look(self.shell.view);
         self.lay_out();
     }

@@ -2,6 +2,7 @@
 
 use super::{App, Mode, View};
 use crate::tui::commands::action::Action;
+use crate::tui::player::assembly_list::AssemblyList;
 use crate::wording::words;
 use std::time::Duration;
 
@@ -9,9 +10,9 @@ impl App {
     /// Lists the assemblies next to the drawing and pauses playback.
     pub(super) fn list_assemblies(&mut self) {
         self.player.playback.pause();
-        match self.player.open_scene.compute_assemblies() {
-            Some(assembly_list) => {
-                self.shell.mode = Mode::Assemblies(assembly_list.first());
+        match AssemblyList::new(&self.player.open_scene) {
+            Some(assemblies) => {
+                self.shell.mode = Mode::Assemblies(Box::new(assemblies));
                 self.look(View::Motion);
             }
             None => self.shell.say(words().no_other_assembly()),
@@ -19,28 +20,26 @@ impl App {
     }
 
     /// Switches to the assembly under the cursor.
-    pub(super) fn take_assembly(&mut self, cursor: usize, now: Duration) {
-        let Some(row) = self
-            .player
-            .open_scene
-            .assembly_list()
-            .and_then(|p| p.rows().get(cursor))
-        else {
+    pub(super) fn take_assembly(&mut self, now: Duration) {
+        let Mode::Assemblies(assemblies) = &self.shell.mode else {
             return;
         };
-        let (group, choice, wish) = (row.group, &row.choice, row.wish());
-        if choice.is_current {
+        let Some(row) = assemblies.list.chosen() else {
+            return;
+        };
+        let (group, pick, wish) = (row.group, row.choice.pick, row.wish());
+        if row.choice.is_current {
             self.shell.mode = Mode::Normal;
             return;
         }
-        if !choice.closes {
+        if !row.choice.closes {
             self.shell.say(words().rest_does_not_close(&wish));
             return;
         }
-        match self.player.open_scene.switched(group, choice.pick) {
+        match self.player.open_scene.switched(group, pick) {
             Ok(open_scene) => {
                 self.player.open_scene = open_scene;
-                self.study_run.forget();
+                self.views.study_run.forget();
                 self.look(self.shell.view);
                 self.shell.mode = Mode::Normal;
                 self.player.rebase(now);

@@ -1,8 +1,6 @@
 //! Advances playback, studies and cost measurements with time.
 
-use super::super::views::Need;
-use super::goal_run::GoalRun;
-use super::{App, Mode};
+use super::{App, Mode, View};
 use crate::tui::player::FRAME;
 use crate::tui::views::accuracy::study_run::{Phase, StudyRun, Ticker};
 use crate::tui::views::candidates::list::CandidateList;
@@ -13,7 +11,7 @@ impl App {
     /// Advances the time: continues a study, and moves the played scene if a frame is due.
     pub(crate) fn tick(&mut self, now: Duration) {
         if self.is_working() {
-            self.study_run.work();
+            self.views.study_run.work();
             // Finished measurements may take fewer lines than pending ones.
             self.scroll_by(0);
         }
@@ -26,6 +24,7 @@ impl App {
             return;
         }
         self.player.follow(now);
+        self.refresh();
         self.look_at_file(now, false);
         self.drain_results(now);
     }
@@ -46,9 +45,8 @@ impl App {
                 let list = self.candidates.as_ref().filter(moves);
                 list.map(|_| self.now + FRAME)
             }
-            Mode::GoalRun => {
-                let run = self.goal_run.as_ref();
-                let searching = run.and_then(GoalRun::percent).map(|_| self.now + FRAME);
+            Mode::GoalRun(ref run) => {
+                let searching = run.percent().map(|_| self.now + FRAME);
                 [self.player.next_frame(), searching]
                     .into_iter()
                     .flatten()
@@ -70,12 +68,12 @@ impl App {
 
     /// Returns `true` if a running study needs computing time between frames while it is shown.
     pub(crate) fn is_working(&self) -> bool {
-        self.study_run.phase() == Phase::Running && self.is_needed(Need::Study)
+        self.views.study_run.phase() == Phase::Running && self.standing().contains(&View::Accuracy)
     }
 
     /// Sets the clock for studies.
     pub(crate) fn set_clock(&mut self, clock: Ticker) {
-        self.study_run = StudyRun::new(clock);
+        self.views.study_run = StudyRun::new(clock);
     }
 }
 

@@ -1,10 +1,17 @@
 //! Lists all commands, filters the list and runs one.
 
+use super::leaving::Pending;
 use super::{App, Effect, Mode};
-use crate::tui::commands::action::KeyContext;
+use crate::files::{from_home, places};
+use crate::scene::presets;
+use crate::tui::commands::action::{Action, KeyContext, entry_of};
 use crate::tui::commands::key::Key;
+use crate::tui::document::opening::{self, OpenedFile, Unopened};
+use crate::tui::document::saving::Leave;
+use crate::tui::document::writing::SavedContent;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::palette::list::{CommandList, Listed};
+use crate::wording::words;
 use std::time::Duration;
 
 impl App {
@@ -21,15 +28,10 @@ impl App {
         };
         match key {
             Key::Enter => return Some(self.command(now)),
-            Key::Backspace if palette.typed().is_empty() => self.shell.mode = Mode::Normal,
+            Key::Backspace if palette.line.text().is_empty() => self.shell.mode = Mode::Normal,
             Key::Escape => self.shell.mode = Mode::Normal,
-            Key::Up => palette.move_by(-1),
-            Key::Down => palette.move_by(1),
-            Key::PageUp => palette.move_by(-page),
-            Key::PageDown => palette.move_by(page),
-            Key::Home => palette.move_by(isize::MIN),
-            Key::End => palette.move_by(isize::MAX),
-            _ => match palette.line().change(key) {
+            _ if let Some(rows) = key.rows(page) => palette.list.move_by(rows),
+            _ => match palette.line.change(key) {
                 Some(true) => palette.narrow(),
                 None if matches!(key, Key::Ctrl(_)) => return None,
                 Some(false) | None => {}
@@ -41,24 +43,65 @@ impl App {
 
     /// Runs the command under the cursor in its own view, or opens the topic under the cursor.
     fn command(&mut self, now: Duration) -> Effect {
-        let Mode::Palette(palette) = &self.shell.mode else {
+        let Mode::Palette(palette) = std::mem::take(&mut self.shell.mode) else {
             return Effect::Show;
         };
-        let (chosen, typed) = (palette.chosen(), palette.typed().to_owned());
-        self.shell.mode = Mode::Normal;
-        let row = match chosen {
-            Some(Listed::Command(row)) => row,
-            Some(Listed::Topic(at, _)) => {
-                let columns = self.shell.size.width;
-                let help = Help::telling(at, &typed, columns, &self.shell.keymap);
-                self.shell.mode = Mode::Help(help);
-                return Effect::Show;
+        let (typed, argument) = (palette.line.text(), palette.argument());
+        match palette.list.chosen() {
+            Some(Listed::Command(action)) => {
+                if let KeyContext::In(view) = entry_of(*action).place {
+                    self.look(view);
+                }
+                return self.update(*action, now);
             }
-            None => return Effect::Show,
-        };
-        if let KeyContext::In(view) = row.place {
-            self.look(view);
+            Some(Listed::Topic(at)) => {
+                let columns = self.shell.size.width;
+                let help = Help::telling(*at, typed, columns, &self.shell.keymap);
+                self.shell.mode = Mode::Help(help);
+            }
+            Some(Listed::GoTo) => {
+                self.player.playback.pause();
+                self.accept_coordinate(&palette.line, now);
+            }
+            Some(Listed::Theme(theme)) => {
+                self.shell.theme = *theme;
+                self.shell.say(words().theme_is(theme.name()));
+            }
+            Some(Listed::SaveAndQuit) if !self.is_held_up(Action::Save) => {
+                self.save_own();
+                self.pending = Some(Pending::Quit);
+            }
+            Some(Listed::SaveTo) if !self.is_held_up(Action::SaveAs) => {
+                let to = from_home(argument, places::environment);
+                self.store(SavedContent::Scene, to, Leave::default());
+            }
+            Some(Listed::OpenFile) if !self.is_held_up(Action::Open) => self.open_named(argument),
+            Some(Listed::SaveAndQuit | Listed::SaveTo | Listed::OpenFile) | None => {}
         }
-        self.update(row.action, now)
+        Effect::Show
+    }
+
+    /// Opens a file, or the preset of this name if there is no such file.
+    fn open_named(&mut self, name: &str) {
+        self.shell.say(words().reading(&name));
+        let (name, path) = (name.to_owned(), from_home(name, places::environment));
+        self.clerk.give(move || {
+            let opened = match presets::find(&name).filter(|_| !path.exists()) {
+                Some(preset) => opening::preset(preset).map(|o| OpenedFile::Scene(Box::new(o))),
+                None => opening::file(&path).map_err(Unopened::first_words),
+            };
+            Box::new(move |app, _| app.opened_named(opened))
+        });
+    }
+
+    /// Shows the opened scene or starts the opened task, unless the user does something else.
+    fn opened_named(&mut self, opened: Result<OpenedFile, String>) {
+        self.shell.message = None;
+        match opened {
+            _ if !self.shell.mode.is_normal() => {}
+            Ok(OpenedFile::Scene(opened)) => self.show(*opened),
+            Ok(OpenedFile::Task(order)) => self.synthesize(*order),
+            Err(why) => self.shell.say(why),
+        }
     }
 }

@@ -1,7 +1,7 @@
 //! Compares the open scene with another one.
 
 use super::super::Opened;
-use super::App;
+use super::{App, BackTarget};
 use crate::report::Tables;
 use crate::tui::figures::sheet::Sheet;
 use crate::tui::player::compared_scene::ComparedScene;
@@ -49,7 +49,9 @@ impl App {
         };
         self.scroll_by(0);
         self.sample();
-        self.shell.say(words().esc_ends_comparison());
+        if self.back_target() == BackTarget::Comparison {
+            self.shell.say(words().esc_ends_comparison());
+        }
         Ok(())
     }
 

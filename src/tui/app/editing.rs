@@ -1,9 +1,8 @@
 //! Edits the scene: values are typed or nudged, the text is changed, and the linkage is solved
 //! again at once.
 
-use super::super::views::Need;
 use super::shell::SceneBefore;
-use super::{App, Mode};
+use super::{App, Mode, View};
 use crate::scene::{Measure, Value, coordinate_key};
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::commands::line::EditLine;
@@ -225,7 +224,7 @@ impl App {
 
     /// Lists the values again, if a view needs them.
     pub(super) fn relist(&mut self) {
-        if self.is_needed(Need::Values) {
+        if self.standing().contains(&View::Scene) {
             self.document.editor.list(self.player.open_scene.scene());
         }
     }

@@ -82,9 +82,9 @@ impl App {
     /// the same meaning everywhere.
     pub(super) fn copy_key(&mut self, key: Key) -> Option<Effect> {
         let text = match key {
-            Key::Char('v') => self.shown().value(self.cursor),
-            Key::Char('r') => Some(self.shown().row(self.cursor)),
-            Key::Char('t') => Some(self.shown().table(self.cursor.part)),
+            Key::Char('v') => self.shown().value(self.views.cursor),
+            Key::Char('r') => Some(self.shown().row(self.views.cursor)),
+            Key::Char('t') => Some(self.shown().table(self.views.cursor.part)),
             Key::Ctrl(_) | Key::Escape => return None,
             _ => return Some(Effect::Show),
         };

@@ -1,6 +1,6 @@
 //! Watches the scene's file and rereads it after changes by other programs.
 
-use super::{App, Effect, Mode, Unsaved};
+use super::{App, Effect, Unsaved};
 use crate::scene::Scene;
 use crate::tui::commands::action::Action;
 use crate::tui::document::clerk::JobOwner;
@@ -66,7 +66,7 @@ impl App {
     /// Handles the outcome of a file check. It is ignored while a prompt is open or a save is
     /// running; the next check reports it.
     fn see(&mut self, seen: SeenFile, now: Duration) {
-        let is_free = self.shell.mode == Mode::Normal && !self.document.storing;
+        let is_free = self.shell.mode.is_normal() && !self.document.storing;
         let Some(disk) = self
             .document
             .disk

@@ -1,6 +1,6 @@
 //! Stages edits and applies them together, for changes that close the linkage only in combination.
 
-use super::{App, Mode, View};
+use super::{App, View};
 use crate::scene::Value;
 use crate::tui::commands::action::{Action, SceneAction};
 use crate::tui::document::gathered::GatheredEdits;
@@ -80,25 +80,24 @@ impl App {
                 | Action::PreviousPreset
                 | Action::Quit
         );
-        let is_held_up = waits && takes_text && self.shell.mode == Mode::Normal;
+        let is_held_up = waits && takes_text && self.shell.mode.is_normal();
         if is_held_up {
             self.say_that_edits_wait();
         }
         is_held_up
     }
 
-    /// Drops the staged edits; undo restores them. Returns `false` if no staging was active.
-    pub(super) fn drop_gathered(&mut self) -> bool {
+    /// Drops the staged edits; undo restores them.
+    pub(super) fn drop_gathered(&mut self) {
         let text = self.player.open_scene.scene().text();
         let Some(dropped) = self.document.editor.drop_gathered(text) else {
-            return false;
+            return;
         };
         self.keep();
         self.shell.say(match dropped {
             0 => words().gathered_made(0),
             _ => words().gathered_dropped(&self.shell.keymap.told(Action::Undo)),
         });
-        true
     }
 
     /// Restores dropped staged edits. Returns `false` if there are none, or if a later edit must be

@@ -5,10 +5,10 @@ use crate::scene::Value;
 use crate::study::{
     DesignFigures, DesignSpace, FoundDesign, Goal, GoalSearch, PlanAxis, SearchOutcome,
 };
-use crate::tui::document::search_progress::SearchProgress;
+use crate::tui::commands::list::moved;
+use crate::tui::document::job::{BackgroundJob, JobProgress};
 use crate::tui::figures::format::coordinate;
 use crate::wording::words;
-use std::sync::Arc;
 
 /// Number of random starting points in addition to the given design, and their seed, as in
 /// `krank solve`.
@@ -39,20 +39,19 @@ pub(super) struct GoalFinding {
 #[derive(Debug)]
 pub(crate) struct GoalRun {
     pub(super) wish: GoalRequest,
-    progress: Arc<SearchProgress>,
-    found: Option<GoalFinding>,
+    pub(super) job: BackgroundJob<GoalFinding>,
     /// The index of the selected design.
     cursor: usize,
 }
 
 impl GoalRequest {
     /// Searches designs on a number of threads. This may take long.
-    pub(super) fn search(&self, threads: usize, progress: &SearchProgress) -> GoalFinding {
+    pub(super) fn search(&self, threads: usize, progress: &JobProgress) -> GoalFinding {
         let figures = self.goals.iter().map(|goal| goal.figure.clone());
         let mut figures = DesignFigures::new(&self.space, figures.collect(), None);
         let given = figures.of(&self.space.given()).ok();
         let search = GoalSearch::new(figures, self.goals.clone(), &self.axes);
-        let outcome = search.run(STARTS, SEED, threads, &mut |part| progress.tell(part));
+        let outcome = search.run(STARTS, SEED, threads, &mut |part| progress.report(part));
         let report = GoalReport {
             space: &self.space,
             goals: &self.goals,
@@ -65,47 +64,30 @@ impl GoalRequest {
 }
 
 impl GoalRun {
-    /// Creates a run whose search has not finished.
-    pub(super) fn new(wish: GoalRequest) -> GoalRun {
-        GoalRun {
-            wish,
-            progress: Arc::default(),
-            found: None,
-            cursor: 0,
-        }
-    }
-
-    pub(super) fn progress(&self) -> &Arc<SearchProgress> {
-        &self.progress
+    /// Creates a run whose search has just started.
+    pub(super) fn new(wish: GoalRequest, job: BackgroundJob<GoalFinding>) -> GoalRun {
+        let cursor = 0;
+        GoalRun { wish, job, cursor }
     }
 
     /// Returns the progress of the search in percent; `None` once it has finished.
     pub(crate) fn percent(&self) -> Option<u32> {
-        self.found.is_none().then(|| self.progress.percent())
-    }
-
-    /// Stores the result of the finished search.
-    pub(super) fn take(&mut self, found: GoalFinding) {
-        self.found = Some(found);
+        self.job.percent()
     }
 
     /// Returns the number of designs that meet the goal.
     pub(super) fn count(&self) -> usize {
-        let found = self.found.as_ref();
+        let found = self.job.result.as_ref();
         found.map_or(0, |found| found.outcome.solutions.len())
     }
 
     /// Selects the next or previous design, if there is one.
     pub(super) fn step(&mut self, forward: bool) {
-        let most = self.count().saturating_sub(1);
-        let next = self
-            .cursor
-            .saturating_add_signed(if forward { 1 } else { -1 });
-        self.cursor = next.min(most);
+        self.cursor = moved(self.cursor, if forward { 1 } else { -1 }, self.count());
     }
 
     fn chosen(&self) -> Option<&FoundDesign> {
-        self.found.as_ref()?.outcome.solutions.get(self.cursor)
+        self.job.result.as_ref()?.outcome.solutions.get(self.cursor)
     }
 
     /// Returns the scene's values, each with its text in the selected design.
@@ -117,7 +99,7 @@ impl GoalRun {
     /// differs in kind from the given design's.
     pub(crate) fn line(&self) -> Option<String> {
         let told = words().design_of(self.cursor + 1, self.count(), &told_values(&self.texts()?));
-        let outcome = &self.found.as_ref()?.outcome;
+        let outcome = &self.job.result.as_ref()?.outcome;
         let family = Some(outcome.freedoms()).filter(|freedoms| *freedoms > 0);
         let family = family.map(|freedoms| words().family_of_designs(freedoms));
         let told = [Some(told), self.motion(), family];
@@ -139,7 +121,7 @@ impl GoalRun {
 
     /// Returns a message on why there is no design, with the nearest miss.
     pub(super) fn not_met(&self) -> String {
-        let Some(found) = &self.found else {
+        let Some(found) = &self.job.result else {
             return String::new();
         };
         match &found.outcome.nearest {

@@ -1,6 +1,6 @@
 //! Finds values of the scene that meet typed goals and applies a chosen solution as one edit.
 
-use super::goal_run::{GoalRequest, GoalRun};
+use super::goal_run::{GoalFinding, GoalRequest, GoalRun};
 use super::{App, Effect, Mode};
 use crate::parallel;
 use crate::quantity::Catalogue;
@@ -10,7 +10,7 @@ use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::history::Deed;
-use std::sync::Arc;
+use crate::tui::document::job::{BackgroundJob, JobProgress};
 use std::time::Duration;
 
 impl App {
@@ -18,11 +18,6 @@ impl App {
         if self.document.editor.value().is_some() {
             self.shell.mode = Mode::Goal(EditLine::for_goal(""));
         }
-    }
-
-    /// Returns the designs for a goal, while they are searched or browsed.
-    pub(crate) fn goal_run(&self) -> Option<&GoalRun> {
-        self.goal_run.as_ref()
     }
 
     /// Parses the typed goals and starts a background search for designs that meet them.
@@ -35,36 +30,25 @@ impl App {
             Ok(wish) => wish,
             Err(why) => return self.shell.say(why),
         };
-        let run = GoalRun::new(wish.clone());
-        let progress = Arc::clone(run.progress());
-        self.goal_run = Some(run);
-        self.shell.mode = Mode::GoalRun;
-        self.clerk.search(move || {
-            let found = wish.search(parallel::cores(), &progress);
-            Box::new(move |app, now| {
-                // The user may have left this search and started another one.
-                let is_awaited = app.shell.mode == Mode::GoalRun;
-                let own = |run: &&mut GoalRun| is_awaited && Arc::ptr_eq(run.progress(), &progress);
-                if let Some(run) = app.goal_run.as_mut().filter(own) {
-                    run.take(found);
-                    app.see_goal_run(now);
-                }
-            })
-        });
+        let order = wish.clone();
+        let work = move |progress: &JobProgress| order.search(parallel::cores(), progress);
+        let job = BackgroundJob::start(&mut self.clerk, work, App::see_goal_run);
+        self.shell.mode = Mode::GoalRun(Box::new(GoalRun::new(wish, job)));
         self.drain_results(self.now);
     }
 
     /// Handles the end of a search: applies a single design, lets the user choose among several, or
     /// reopens the typed goal if there is none.
-    fn see_goal_run(&mut self, now: Duration) {
-        let Some(run) = &self.goal_run else {
+    fn see_goal_run(&mut self, found: GoalFinding, now: Duration) {
+        let Mode::GoalRun(run) = &mut self.shell.mode else {
             return;
         };
+        run.job.result = Some(found);
         match run.count() {
             0 => {
-                self.shell.say(run.not_met());
-                self.shell.mode = Mode::Goal(EditLine::for_goal(&run.wish.typed));
-                self.goal_run = None;
+                let (why, line) = (run.not_met(), EditLine::for_goal(&run.wish.typed));
+                self.shell.mode = Mode::Goal(line);
+                self.shell.say(why);
             }
             1 => self.take_design(now),
             _ => {}
@@ -73,10 +57,9 @@ impl App {
 
     /// Applies the selected design as one edit.
     fn take_design(&mut self, now: Duration) {
-        let Some(run) = self.goal_run.take() else {
+        let Mode::GoalRun(run) = std::mem::take(&mut self.shell.mode) else {
             return;
         };
-        self.shell.mode = Mode::Normal;
         let (Some(texts), Some(said)) = (run.texts(), run.is_met()) else {
             return;
         };
@@ -91,7 +74,9 @@ impl App {
     /// meaning everywhere.
     pub(super) fn goal_run_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         self.shell.message = None;
-        let run = self.goal_run.as_mut()?;
+        let Mode::GoalRun(run) = &mut self.shell.mode else {
+            return None;
+        };
         if key == Key::Enter {
             if run.percent().is_none() {
                 self.take_design(now);
@@ -99,11 +84,10 @@ impl App {
             return Some(Effect::Show);
         }
         match self.shell.keymap.action_in_list(key)? {
-            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw => return None,
-            Action::Back => {
-                run.progress().leave();
-                self.shell.mode = Mode::Goal(EditLine::for_goal(&run.wish.typed));
-                self.goal_run = None;
+            Action::Leave | Action::Suspend | Action::Redraw => return None,
+            Action::Back | Action::Quit => {
+                let line = EditLine::for_goal(&run.wish.typed);
+                self.shell.mode = Mode::Goal(line);
             }
             Action::LineUp | Action::StepBack | Action::Tables(TablesAction::Left) => {
                 run.step(false);

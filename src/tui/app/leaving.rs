@@ -98,7 +98,7 @@ impl App {
     /// Runs the pending action after a key, once all edits are saved. Drops it if the user returned
     /// to unsaved edits.
     pub(super) fn settle(&mut self, effect: Effect) -> Effect {
-        if self.shell.mode != Mode::Normal || self.pending.is_none() || self.document.storing {
+        if !self.shell.mode.is_normal() || self.pending.is_none() || self.document.storing {
             return effect;
         }
         if self.would_lose() {

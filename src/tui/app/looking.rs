@@ -1,10 +1,11 @@
 //! Selects the view, arranges the panes and scrolls them.
 
-use super::super::views::{self, Listing, Need};
+use super::super::views::{self, Listing};
 use super::{App, Mode, View};
 use crate::report::PositionMethod;
 use crate::tui::commands::action::Action;
 use crate::tui::commands::line::EditLine;
+use crate::tui::commands::list::moved;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
 use ratatui::layout::Size;
@@ -21,7 +22,7 @@ impl App {
     /// Selects a view by its key, which also continues or repeats a study.
     pub(super) fn look_at(&mut self, view: View) {
         self.look_from_tabs(view);
-        if view.pane().needs() == Need::Study {
+        if view == View::Accuracy {
             self.study();
         }
     }
@@ -40,7 +41,8 @@ impl App {
         self.shell.composition.look(view, before, size);
         self.shell.view = view;
         if view != before {
-            self.found = None;
+            self.views.found = None;
+            self.views.searched = None;
         }
         self.update_needs();
     }
@@ -48,32 +50,19 @@ impl App {
     /// Computes the data for the visible views, and only that. A study starts when its view is first
     /// visible.
     pub(super) fn update_needs(&mut self) {
-        let needs: Vec<Need> = self
-            .standing()
-            .iter()
-            .map(|view| view.pane().needs())
-            .collect();
-        let forces = needs.contains(&Need::Forces) || self.viewport.shows_forces();
-        let open_scene = &mut self.player.open_scene;
-        open_scene.answer(needs.contains(&Need::Lengths));
-        open_scene.balance_forces(forces);
-        open_scene.explain(needs.contains(&Need::Working));
-        let watched = self.watched.filter(|_| needs.contains(&Need::Study));
-        open_scene.watch(watched, &self.guess);
-        if needs.contains(&Need::Values) {
-            self.relist();
-        }
-        if needs.contains(&Need::Study) && self.study_run.phase() == Phase::Idle {
+        self.refresh();
+        self.relist();
+        let studies = self.standing().contains(&View::Accuracy);
+        if studies && self.views.study_run.phase() == Phase::Idle {
             self.study();
         }
         self.sample();
     }
 
-    /// Returns `true` if a visible view needs this.
-    pub(super) fn is_needed(&self, need: Need) -> bool {
-        self.standing()
-            .iter()
-            .any(|view| view.pane().needs() == need)
+    /// Brings the results of the visible views to the driver's position.
+    pub(super) fn refresh(&mut self) {
+        let visible = self.standing();
+        self.views.refresh(&visible, &mut self.player.open_scene);
     }
 
     // ---- panes
@@ -122,7 +111,9 @@ impl App {
     /// Watches the next method on the current state. After the last one, the study is shown again.
     pub(super) fn watch_next(&mut self) {
         let all = PositionMethod::WATCHED;
-        let here = all.iter().position(|method| Some(*method) == self.watched);
+        let here = all
+            .iter()
+            .position(|method| Some(*method) == self.views.method.method);
         self.watch_method(all.get(here.map_or(0, |place| place + 1)).copied());
         if let Some(why) = View::Accuracy.pane().nothing(self) {
             self.shell.say(why);
@@ -131,22 +122,22 @@ impl App {
 
     /// Watches a method, or returns to the study if `None`.
     pub(super) fn watch_method(&mut self, method: Option<PositionMethod>) {
-        self.watched = method;
-        self.guess.clear();
-        self.found = None;
-        self.shell.scroll[View::Accuracy as usize] = 0;
+        self.views.method.select(method);
+        self.views.found = None;
+        self.views.scroll[View::Accuracy as usize] = 0;
         self.update_needs();
     }
 
     /// Asks for the initial guess of the watched method.
     pub(super) fn ask_for_guess(&mut self) {
-        match self.watched {
-            _ if self.player.open_scene.watched().is_none() => {
+        let watch = &self.views.method;
+        match watch.method {
+            _ if watch.watched().is_none() => {
                 let method = self.shell.keymap.told(Action::Method);
                 self.shell.say(words().no_method_watched(&method));
             }
             Some(method) if method.takes_guess() => {
-                self.shell.mode = Mode::Guess(EditLine::for_guess(&self.guess));
+                self.shell.mode = Mode::Guess(EditLine::for_guess(&watch.guess));
             }
             _ => self.shell.say(words().begins_at_no_guess()),
         }
@@ -154,10 +145,9 @@ impl App {
 
     /// Applies the typed guess, or keeps the line for correction.
     pub(super) fn accept_guess(&mut self, guess: &str) {
-        match self.player.open_scene.guess(guess) {
+        match self.views.method.begin_at(guess, &self.player.open_scene) {
             Ok(()) => {
-                guess.clone_into(&mut self.guess);
-                self.found = None;
+                self.views.found = None;
                 self.shell.mode = Mode::Normal;
             }
             Err(why) => self.shell.say(why),
@@ -166,12 +156,12 @@ impl App {
 
     /// Returns `true` if the current view shows a watched method.
     pub(crate) fn is_watching(&self) -> bool {
-        self.watched.is_some() && self.shell.view == View::Accuracy
+        self.views.method.method.is_some() && self.shell.view == View::Accuracy
     }
 
     /// Starts, continues or repeats a study.
     pub(super) fn study(&mut self) {
-        self.study_run.go_on(self.player.open_scene.solver());
+        self.views.study_run.go_on(self.player.open_scene.solver());
     }
 
     /// Adapts to a new screen size.
@@ -205,14 +195,14 @@ impl App {
             Listing::Figures => self.place_cursor(|cursor, table| cursor.in_part(table, forward)),
             Listing::Lines => {
                 let parts = views::parts_looked_at(self);
-                let here = self.scroll(self.shell.view);
+                let here = self.views.scroll[self.shell.view as usize];
                 let next = match forward {
                     true => parts.into_iter().find(|line| *line > here),
                     false => parts.into_iter().rfind(|line| *line < here),
                 };
                 let most = views::most_scroll(self);
                 match next.filter(|line| !forward || (*line <= most || here < most)) {
-                    Some(line) => self.shell.scroll[self.shell.view as usize] = line.min(most),
+                    Some(line) => self.views.scroll[self.shell.view as usize] = line.min(most),
                     None => self.shell.say(words().no_further_part()),
                 }
             }
@@ -222,24 +212,18 @@ impl App {
     /// Scrolls the topmost list or text, within its limits.
     pub(super) fn scroll_by(&mut self, lines: isize) {
         self.relayout_help();
-        let most = match self.shell.mode {
-            Mode::Assemblies(_) => {
-                let list = self.player.open_scene.assembly_list();
-                list.map_or(0, |list| list.rows().len() - 1)
-            }
-            _ => views::most_scroll(self),
-        };
+        let most = views::most_scroll(self);
         let scroll = match &mut self.shell.mode {
             Mode::Help(help) => &mut help.scroll,
-            Mode::Assemblies(scroll) => scroll,
+            Mode::Assemblies(assemblies) => return assemblies.list.move_by(lines),
             _ => match self.shell.view.pane().list() {
-                Listing::Lines => &mut self.shell.scroll[self.shell.view as usize],
+                Listing::Lines => &mut self.views.scroll[self.shell.view as usize],
                 Listing::Figures => {
                     return self.place_cursor(|cursor, table| cursor.moved(table, lines));
                 }
                 Listing::Values => return self.document.editor.move_by(lines),
             },
         };
-        *scroll = scroll.saturating_add_signed(lines).min(most);
+        *scroll = moved(*scroll, lines, most + 1);
     }
 }

@@ -1,9 +1,11 @@
 //! Defines the input modes.
 
 use super::Unsaved;
+use super::goal_run::GoalRun;
 use crate::tui::commands::line::EditLine;
 use crate::tui::document::writing::{Prompt, Question};
 use crate::tui::figures::search::NameSearch;
+use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::views::help::text::Help;
 use crate::tui::views::offer::list::Offer;
 use crate::tui::views::palette::list::CommandList;
@@ -11,9 +13,10 @@ use crate::tui::views::picker::list::Picker;
 use crate::tui::views::plots::list::PlotList;
 
 /// The input mode, which receives the keys.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug, Default)]
 pub(crate) enum Mode {
     /// The current view.
+    #[default]
     Normal,
     /// The help overlay.
     Help(Help),
@@ -26,11 +29,11 @@ pub(crate) enum Mode {
     /// The input line for goals, in the scene view.
     Goal(EditLine),
     /// The designs that meet a goal, while they are searched or browsed.
-    GoalRun,
+    GoalRun(Box<GoalRun>),
     /// The list of all commands.
     Palette(CommandList),
-    /// The list of assemblies, with the index under the cursor.
-    Assemblies(usize),
+    /// The list of assemblies at the driver's coordinate.
+    Assemblies(Box<AssemblyList>),
     /// The list of plottable columns.
     PlotList(PlotList),
     /// The input line for a file name.
@@ -54,20 +57,25 @@ pub(crate) enum Mode {
 }
 
 impl Mode {
+    /// Returns `true` if keys go to the current view.
+    pub(crate) fn is_normal(&self) -> bool {
+        matches!(self, Mode::Normal)
+    }
+
     /// Returns the input line of this mode, if it has one.
     pub(super) fn line(&mut self) -> Option<&mut EditLine> {
         match self {
             Mode::GoTo(line) | Mode::Guess(line) | Mode::Goal(line) | Mode::Value(line) => {
                 Some(line)
             }
-            Mode::Palette(palette) => Some(palette.line()),
+            Mode::Palette(palette) => Some(&mut palette.line),
             Mode::FileName(prompt) => Some(&mut prompt.name),
             Mode::Help(help) => help.typed(),
             Mode::PlotList(list) => list.typed(),
             Mode::Search(search) => Some(&mut search.name),
             Mode::Normal
             | Mode::Tour(_)
-            | Mode::GoalRun
+            | Mode::GoalRun(_)
             | Mode::Assemblies(_)
             | Mode::Confirm(_)
             | Mode::Unsaved(_)

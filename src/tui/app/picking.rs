@@ -73,6 +73,7 @@ impl App {
     /// Updates everything that a frame shows besides the state. Runs once per frame, after any
     /// number of keys.
     pub(crate) fn catch_up(&mut self) {
+        self.refresh();
         self.follow();
         if let (Mode::Candidates, Some(list)) = (&self.shell.mode, &mut self.candidates) {
             list.draw();
@@ -107,15 +108,10 @@ impl App {
             return None;
         };
         match key {
-            Key::Char(c) => picker.push(c),
-            Key::Backspace => picker.erase(),
-            Key::Ctrl('u') => picker.clear(),
-            Key::Up | Key::Ctrl('p') => picker.move_by(-1),
-            Key::Down | Key::Ctrl('n') => picker.move_by(1),
-            Key::PageUp => picker.move_by(-page),
-            Key::PageDown => picker.move_by(page),
-            Key::Home => picker.move_by(isize::MIN),
-            Key::End => picker.move_by(isize::MAX),
+            _ if picker.edit(key) => {}
+            _ if let Some(rows) = key.rows(page) => picker.list.move_by(rows),
+            Key::Ctrl('p') => picker.list.move_by(-1),
+            Key::Ctrl('n') => picker.list.move_by(1),
             Key::Left => {
                 if let Some((above, here)) = picker.above() {
                     self.look_into(above, Some(here), false);
@@ -124,8 +120,8 @@ impl App {
             Key::Right => self.look_into_chosen(),
             Key::Enter => self.accept_pick(),
             Key::Escape => self.leave_list(now),
-            Key::Tab | Key::BackTab | Key::Function(_) => {}
             Key::Ctrl(_) => return None,
+            _ => {}
         }
         self.shell.message = self.shell.message.take().filter(|_| key == Key::Enter);
         Some(Effect::Show)

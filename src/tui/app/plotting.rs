@@ -1,11 +1,9 @@
 //! Chooses the plotted columns and the x axis.
 
-use super::super::views::{Need, most_scroll};
-use super::{App, Effect, Mode};
+use super::super::views::most_scroll;
+use super::{App, Effect, Mode, View};
 use crate::tui::commands::action::PlotsAction;
 use crate::tui::commands::key::Key;
-use crate::tui::views::motor::study::MotorStudy;
-use crate::tui::views::plots::curves::Plots;
 use crate::tui::views::plots::list::PlotList;
 use crate::wording::words;
 
@@ -14,15 +12,18 @@ impl App {
         match action {
             PlotsAction::Choose => {
                 let (scene, solver) = (self.open_scene().scene(), self.open_scene().solver());
-                let list = PlotList::new(scene, solver, |name| self.plots.is_chosen(name));
+                let list = PlotList::new(scene, solver, |name| self.views.plots.is_chosen(name));
                 self.shell.mode = Mode::PlotList(list);
             }
             PlotsAction::Abscissa => {
-                let along = self.plots.next_abscissa(self.player.open_scene.scene());
+                let along = self
+                    .views
+                    .plots
+                    .next_abscissa(self.player.open_scene.scene());
                 self.shell.say(along);
             }
             PlotsAction::Extrema => {
-                let marked = self.plots.toggle_extrema();
+                let marked = self.views.plots.toggle_extrema();
                 self.shell.say(match marked {
                     true => words().extrema_marked(),
                     false => words().extrema_not_marked(),
@@ -32,7 +33,7 @@ impl App {
                 let is_exact = self.player.open_scene.scene().tolerances().is_exact();
                 let told = if is_exact {
                     words().no_tolerances()
-                } else if self.plots.toggle_band() {
+                } else if self.views.plots.toggle_band() {
                     words().band_drawn()
                 } else {
                     words().band_not_drawn()
@@ -43,28 +44,22 @@ impl App {
         self.sample();
     }
 
-    pub(crate) fn plots(&self) -> &Plots {
-        &self.plots
-    }
-
-    /// Returns the motor study of the open scene.
-    pub(crate) fn motor(&self) -> &MotorStudy {
-        &self.motor
-    }
-
     /// Updates the curves and the motor study while a view needs them. Costs nothing if they are up
     /// to date.
     pub(super) fn sample(&mut self) {
-        if self.is_needed(Need::Curves) {
+        let visible = self.standing();
+        if visible.contains(&View::Plots) {
             self.follow();
             let compared = self.comparison.compared();
-            self.plots.sample(&self.player.open_scene, compared);
+            self.views.plots.sample(&self.player.open_scene, compared);
             if let Mode::PlotList(list) = &self.shell.mode {
-                self.plots.note(&self.player.open_scene, list.current());
+                self.views
+                    .plots
+                    .note(&self.player.open_scene, list.current());
             }
         }
-        if self.is_needed(Need::Motor) {
-            self.motor.study(&self.player.open_scene);
+        if visible.contains(&View::Motor) {
+            self.views.motor.study(&self.player.open_scene);
         }
     }
 
@@ -76,38 +71,30 @@ impl App {
         };
         if list.read().is_some() {
             match key {
-                Key::Up | Key::Char('k') => list.scroll_by(-1, most),
-                Key::Down | Key::Char('j') => list.scroll_by(1, most),
-                Key::PageUp => list.scroll_by(-page, most),
-                Key::PageDown => list.scroll_by(page, most),
+                _ if let Some(lines) = key.rows_or_letter(page) => list.scroll_by(lines, most),
                 Key::Escape | Key::Char('o') => list.set_reading(false),
                 _ => return None,
             }
             return Some(Effect::Show);
         }
-        let typing = list.is_typing();
         match key {
-            Key::Up => list.move_by(-1),
-            Key::Down => list.move_by(1),
-            Key::PageUp => list.move_by(-page),
-            Key::PageDown => list.move_by(page),
+            _ if let Some(rows) = key.rows(page) => list.list.move_by(rows),
             Key::Escape => {
                 if !list.end_search() {
                     self.shell.mode = Mode::Normal;
                 }
             }
-            Key::Enter if typing => list.set_typing(false),
+            Key::Enter if list.typing => list.typing = false,
             _ if let Some(is_new) = list.typed().and_then(|line| line.change(key)) => {
                 if is_new {
                     list.narrow();
                 }
             }
-            Key::Char('/') => list.set_typing(true),
-            Key::Char('k') => list.move_by(-1),
-            Key::Char('j') => list.move_by(1),
+            Key::Char('/') => list.typing = true,
+            _ if let Some(rows) = key.rows_or_letter(page) => list.list.move_by(rows),
             Key::Enter | Key::Char(' ') => self.toggle_plot(),
             Key::Char('o') => list.set_reading(true),
-            Key::Char('c') => self.plots.clear(),
+            Key::Char('c') => self.views.plots.clear(),
             Key::Char('x') => self.shell.mode = Mode::Normal,
             Key::Char('X') => self.plot(PlotsAction::Abscissa),
             _ => return None,
@@ -124,7 +111,9 @@ impl App {
         if let Mode::PlotList(list) = &self.shell.mode
             && let Some(name) = list.current()
         {
-            self.plots.toggle(name, self.player.open_scene.scene());
+            self.views
+                .plots
+                .toggle(name, self.player.open_scene.scene());
         }
     }
 }

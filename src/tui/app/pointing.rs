@@ -51,7 +51,7 @@ impl App {
             return Effect::Show;
         }
         let effect = self.act(mouse, under, now);
-        self.focus();
+        self.refresh();
         // Another view may have fewer lines than the previous scroll position.
         self.scroll_by(0);
         effect
@@ -64,7 +64,7 @@ impl App {
             // A release ends the drag, even if another mode has opened meanwhile.
             (MouseEventKind::Release, _) => self.let_go(),
             // Lists and prompts take keys only.
-            _ if self.shell.mode != Mode::Normal => {}
+            _ if !self.shell.mode.is_normal() => {}
             (MouseEventKind::Press, under) => self.press(under, now),
             (MouseEventKind::Drag, under) => self.drag(&under, now),
         }
@@ -102,7 +102,8 @@ impl App {
             Under::Tab(view) => self.look_at(view),
             Under::Drawing(view, seen) => {
                 self.pause(now);
-                self.viewport
+                self.views
+                    .viewport
                     .lens
                     .hold(&self.player.open_scene, seen.window);
                 let edits = self.shell.view == View::Scene;
@@ -159,7 +160,7 @@ impl App {
     /// Ends a mouse drag.
     pub(super) fn let_go(&mut self) {
         self.shell.grip = DragTarget::Nothing;
-        self.viewport.lens.let_go();
+        self.views.viewport.lens.let_go();
     }
 
     /// Pauses playback before a drag.

@@ -163,12 +163,8 @@ impl App {
         self.shell.message = None;
         let is_asked = std::mem::take(&mut offer.asks);
         match key {
-            Key::Up | Key::Char('k') => offer.move_by(-1),
-            Key::Down | Key::Char('j') => offer.move_by(1),
-            Key::PageUp => offer.move_by(-page),
-            Key::PageDown | Key::Char(' ') => offer.move_by(page),
-            Key::Home => offer.move_by(isize::MIN),
-            Key::End => offer.move_by(isize::MAX),
+            _ if let Some(rows) = key.rows_or_letter(page) => offer.move_by(rows),
+            Key::Char(' ') => offer.move_by(page),
             Key::Escape | Key::Backspace if offer.page.is_some() => offer.page = None,
             Key::Escape => self.shell.mode = Mode::Normal,
             Key::Enter if offer.others.left.is_empty() => self.shell.mode = Mode::Normal,

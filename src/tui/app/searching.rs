@@ -15,13 +15,13 @@ impl App {
     /// Opens the search line, in the views that have rows or lines.
     pub(super) fn search(&mut self) {
         let from = match self.shell.view.pane().list() {
-            Listing::Figures => SearchOrigin::Tables(self.cursor),
+            Listing::Figures => SearchOrigin::Tables(self.views.cursor),
             Listing::Values => SearchOrigin::Scene(self.document.editor.cursor()),
             Listing::Lines if views::lines_looked_at(self).is_empty() => {
                 self.shell.say(words().nothing_to_search());
                 return;
             }
-            Listing::Lines => SearchOrigin::Lines(self.scroll(self.shell.view)),
+            Listing::Lines => SearchOrigin::Lines(self.views.scroll[self.shell.view as usize]),
         };
         let name = EditLine::for_search();
         self.shell.mode = Mode::Search(NameSearch { name, from });
@@ -55,7 +55,7 @@ impl App {
             SearchOrigin::Tables(cursor) => self.place_cursor(|_, _| cursor),
             SearchOrigin::Scene(row) => self.document.editor.go_to(row),
             SearchOrigin::Lines(line) => {
-                self.found = None;
+                self.views.found = None;
                 self.scroll_to(line);
             }
         }
@@ -64,20 +64,20 @@ impl App {
     /// Scrolls the current view to a line.
     fn scroll_to(&mut self, line: usize) {
         let most = views::most_scroll(self);
-        self.shell.scroll[self.shell.view as usize] = line.min(most);
+        self.views.scroll[self.shell.view as usize] = line.min(most);
     }
 
-    /// Returns the first line to search: after the last match if that is visible, or else the first
-    /// visible line.
-    fn next_line(&self) -> usize {
-        let first = self.scroll(self.shell.view);
+    /// Returns the line from which to search on: the last match if that is visible, or else the
+    /// first visible line. Forwards, the match itself is left out.
+    fn next_line(&self, forward: bool) -> usize {
+        let first = self.views.scroll[self.shell.view as usize];
         let seen = first..first + views::page(self);
         let found = self.found_line().filter(|line| seen.contains(line));
-        found.map_or(first, |line| line + 1)
+        found.map_or(first, |line| line + usize::from(forward))
     }
 
     pub(super) fn found_line(&self) -> Option<usize> {
-        self.found.as_ref().map(|found| found.line)
+        self.views.found.as_ref().map(|found| found.line)
     }
 
     /// Moves to the best match for the text typed so far, or reports that there is none.
@@ -106,12 +106,12 @@ impl App {
             }
             SearchOrigin::Scene(row) => {
                 self.document.editor.go_to(row);
-                self.document.editor.seek(typed, false)
+                self.document.editor.seek(typed, 0)
             }
             SearchOrigin::Lines(from) => {
-                self.found = FoundLine::of(&views::lines_looked_at(self), typed, from);
+                self.views.found = FoundLine::of(&views::lines_looked_at(self), typed, from, true);
                 self.scroll_to(self.found_line().unwrap_or(from));
-                self.found.is_some()
+                self.views.found.is_some()
             }
         }
     }
@@ -125,34 +125,57 @@ impl App {
         let (typed, from) = (search.name.text().trim().to_owned(), search.from);
         if typed.is_empty() {
             self.shell.mode = Mode::Normal;
-            self.find_next(from);
+            self.find_next(true);
             return;
         }
         if self.go_to_name(&typed, from) {
-            self.sought = typed;
+            self.views.sought = typed;
+            self.views.searched = Some(self.shell.view);
             self.shell.mode = Mode::Normal;
         }
     }
 
-    /// Moves to the next match of the last search.
-    fn find_next(&mut self, from: SearchOrigin) {
-        if self.sought.is_empty() {
+    /// Handles `n` and `N` after a search. Returns `None` for all other keys, and once the search has
+    /// ended.
+    pub(super) fn repeat_search(&mut self, key: Key) -> Option<Effect> {
+        let forward = match key {
+            Key::Char('n') => true,
+            Key::Char('N') => false,
+            _ => return None,
+        };
+        self.views
+            .searched
+            .filter(|view| *view == self.shell.view)?;
+        self.shell.message = None;
+        self.find_next(forward);
+        Some(Effect::Show)
+    }
+
+    /// Moves to the next or the previous match of the last search.
+    fn find_next(&mut self, forward: bool) {
+        if self.views.sought.is_empty() {
             return;
         }
-        let found = match from {
-            SearchOrigin::Tables(_) => {
-                let next = search::next(self.player.open_scene.tables(), &self.sought, self.cursor);
+        self.views.searched = Some(self.shell.view);
+        let sought = self.views.sought.clone();
+        let found = match self.shell.view.pane().list() {
+            Listing::Figures => {
+                let (tables, here) = (self.player.open_scene.tables(), self.views.cursor);
+                let next = search::next(tables, &sought, here, forward);
                 next.map(|next| self.place_cursor(|_, _| next)).is_some()
             }
-            SearchOrigin::Scene(_) => self.document.editor.seek(&self.sought, true),
-            SearchOrigin::Lines(_) => {
-                let lines = views::lines_looked_at(self);
-                self.found = FoundLine::of(&lines, &self.sought, self.next_line());
+            Listing::Values => {
+                let step = if forward { 1 } else { -1 };
+                self.document.editor.seek(&sought, step)
+            }
+            Listing::Lines => {
+                let (lines, from) = (views::lines_looked_at(self), self.next_line(forward));
+                self.views.found = FoundLine::of(&lines, &sought, from, forward);
                 self.found_line().map(|line| self.scroll_to(line)).is_some()
             }
         };
         if !found {
-            self.shell.say(nameless(&self.sought));
+            self.shell.say(nameless(&sought));
         }
     }
 
@@ -172,15 +195,15 @@ impl App {
         there: impl FnOnce(Cursor, &[sheet::TableLine]) -> Cursor,
     ) {
         let (lines, height) = views::table_lines(self);
-        self.cursor = there(self.cursor, &lines).settled(&lines);
-        let scroll = &mut self.shell.scroll[View::Tables as usize];
-        *scroll = cursor::follow(&lines, self.cursor, *scroll, height);
+        self.views.cursor = there(self.views.cursor, &lines).settled(&lines);
+        let scroll = &mut self.views.scroll[View::Tables as usize];
+        *scroll = cursor::follow(&lines, self.views.cursor, *scroll, height);
     }
 
     /// Marks or unmarks the points of the row under the cursor: a point, or the moving ends of a
     /// vector.
     fn choose(&mut self) {
-        let Cursor { part, row, .. } = self.cursor;
+        let Cursor { part, row, .. } = self.views.cursor;
         let moving = followed::moving(self.player.open_scene.scene(), part, row);
         if moving.is_empty() {
             let name = part.name(self.player.open_scene.tables(), row);
@@ -189,7 +212,7 @@ impl App {
         }
         let all = moving
             .iter()
-            .all(|(point, _)| self.followed.contains(*point));
+            .all(|(point, _)| self.views.followed.contains(*point));
         let names = moving.iter().map(|(_, name)| *name).collect::<Vec<_>>();
         let names = words().all_of(&names);
         self.shell.say(if all {
@@ -198,8 +221,8 @@ impl App {
             words().chosen_for_motion(&names)
         });
         for (point, _) in moving {
-            if self.followed.contains(point) == all {
-                self.followed.toggle(point);
+            if self.views.followed.contains(point) == all {
+                self.views.followed.toggle(point);
             }
         }
     }

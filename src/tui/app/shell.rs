@@ -18,7 +18,7 @@ const USUAL_ASPECT: f64 = 2.0;
 /// the user read it.
 const REACTION: Duration = Duration::from_millis(300);
 /// Time after which a message disappears.
-const LEGIBLE: Duration = Duration::from_secs(8);
+const LEGIBLE: Duration = Duration::from_secs(3);
 
 /// The scene as it was before an edit.
 #[derive(Debug)]
@@ -36,8 +36,6 @@ pub(super) struct Shell {
     pub view: View,
     /// The visible panes and their arrangement.
     pub composition: Composition,
-    /// The lines by which each view is scrolled.
-    pub scroll: [usize; View::ALL.len()],
     /// The message in the last line, until the next key or until it expires.
     pub message: Option<String>,
     /// The message on the screen and the time when it appeared.
@@ -68,7 +66,6 @@ impl Shell {
             keymap: Keymap::default(),
             view: View::default(),
             composition: Composition::default(),
-            scroll: [0; View::ALL.len()],
             message: None,
             told: None,
             before: None,
@@ -102,7 +99,7 @@ impl Shell {
     /// Returns the time when the message expires; `None` while the user types, chooses or answers.
     pub(super) fn message_ends(&self) -> Option<Duration> {
         let (since, _) = self.told.as_ref()?;
-        (self.mode == Mode::Normal).then_some(*since + LEGIBLE)
+        self.mode.is_normal().then_some(*since + LEGIBLE)
     }
 
     /// Removes the message if it has expired.

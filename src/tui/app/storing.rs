@@ -139,7 +139,7 @@ impl App {
             SavedContent::Text(_) => refused_there(&trouble),
         });
         // A late prompt could be answered by a key meant for something else.
-        if self.shell.mode != Mode::Normal || !is_shown {
+        if !self.shell.mode.is_normal() || !is_shown {
             return;
         }
         match ConfirmReason::of(&trouble) {

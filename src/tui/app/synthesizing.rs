@@ -3,34 +3,28 @@
 use super::{App, Effect, Mode};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
+use crate::tui::document::job::{BackgroundJob, JobProgress};
 use crate::tui::document::opening;
 use crate::tui::views::candidates;
-use crate::tui::views::candidates::list::{CandidateList, CandidatesPage};
+use crate::tui::views::candidates::list::{CandidateList, CandidatesPage, FoundCandidates};
 use crate::tui::views::candidates::walk::WalkStep;
 use crate::tui::{Origin, TaskOrder};
 use crate::wording::words;
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Duration;
 
 impl App {
     /// Starts a background search for linkages that solve a task, and lists the results.
     pub(crate) fn synthesize(&mut self, order: TaskOrder) {
-        let list = CandidateList::new(order.clone());
-        let search = Arc::clone(list.search());
-        self.drop_search();
-        self.candidates = Some(list);
-        self.shell.mode = Mode::Candidates;
-        self.clerk.search(move || {
-            let found = search.run(&order);
-            Box::new(move |app, _| {
-                // The user may have started another task meanwhile.
-                let own = |list: &&mut CandidateList| Arc::ptr_eq(list.search(), &search);
-                if let Some(list) = app.candidates.as_mut().filter(own) {
-                    list.take(found);
-                }
-            })
+        let task = order.clone();
+        let work = move |progress: &JobProgress| FoundCandidates::search(&task, progress);
+        let job = BackgroundJob::start(&mut self.clerk, work, |app: &mut App, found, _| {
+            if let Some(list) = &mut app.candidates {
+                list.job.result = Some(found);
+            }
         });
+        self.candidates = Some(CandidateList::new(order, job));
+        self.shell.mode = Mode::Candidates;
         self.drain_results(self.now);
     }
 
@@ -46,19 +40,12 @@ impl App {
         }
     }
 
-    /// Returns to the open scene and resumes its playback. Finished results are kept.
+    /// Returns to the open scene and resumes its playback. Finished results are kept, and an
+    /// unfinished search is cancelled.
     fn leave_candidates(&mut self, now: Duration) {
         self.shell.mode = Mode::Normal;
-        self.drop_search();
+        self.candidates.take_if(|list| list.percent().is_some());
         self.player.resume(now);
-    }
-
-    /// Cancels an unfinished search and drops its list.
-    fn drop_search(&mut self) {
-        let searching = |list: &mut CandidateList| list.percent().is_some();
-        if let Some(left) = self.candidates.take_if(searching) {
-            left.leave();
-        }
     }
 
     /// Returns the folder of the task that produced the open scene, if known.
@@ -90,20 +77,13 @@ impl App {
             return Some(Effect::Show);
         }
         match action {
-            Action::Quit | Action::Leave | Action::Suspend | Action::Redraw | Action::Help => {
+            Action::Leave | Action::Suspend | Action::Redraw | Action::Help => {
                 return None;
             }
-            Action::Back if list.step_out() => {}
-            Action::Back | Action::Open => self.leave_candidates(now),
+            Action::Back | Action::Quit if list.step_out() => {}
+            Action::Back | Action::Quit | Action::Open => self.leave_candidates(now),
             Action::NextView | Action::PreviousView => list.turn_page(sees_both),
-            Action::LineUp => list.move_by(-1),
-            Action::LineDown => list.move_by(1),
-            Action::PageUp => list.move_by(-page),
-            Action::PageDown => list.move_by(page),
-            Action::HalfUp => list.move_by(-(page / 2).max(1)),
-            Action::HalfDown => list.move_by((page / 2).max(1)),
-            Action::Top => list.move_by(isize::MIN),
-            Action::End => list.move_by(isize::MAX),
+            _ if let Some(rows) = action.rows(page) => list.move_by(rows),
             Action::StepBack | Action::Tables(TablesAction::Left) => list.step(false),
             Action::StepForward | Action::Tables(TablesAction::Right) => list.step(true),
             Action::Play => list.toggle(now),

@@ -16,7 +16,7 @@ impl App {
         self.clerk.give(|| {
             let is_first = is_first_start(places::environment);
             Box::new(move |app, _| {
-                if is_first && app.shell.mode == Mode::Normal {
+                if is_first && app.shell.mode.is_normal() {
                     app.tour();
                 }
             })

@@ -27,7 +27,7 @@ impl App {
             Effect::Show => effect,
             leaving => leaving,
         };
-        self.focus();
+        self.refresh();
         // Another view, scene or list may have fewer lines than the previous scroll position.
         self.scroll_by(0);
         effect
@@ -37,7 +37,7 @@ impl App {
     /// drawing next to it.
     fn meant(&self, key: Key) -> Option<Action> {
         let keymap = &self.shell.keymap;
-        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun =
+        if let Mode::Help(_) | Mode::Assemblies(_) | Mode::Candidates | Mode::GoalRun(_) =
             self.shell.mode
         {
             return keymap.action_in_list(key);
@@ -49,7 +49,7 @@ impl App {
 
     /// Reports a key without meaning in normal mode.
     fn nothing_meant(&mut self, key: Key) -> Effect {
-        if self.shell.mode == Mode::Normal {
+        if self.shell.mode.is_normal() {
             let help = self.shell.keymap.told(Action::Help);
             self.shell.say(words().means_nothing_here(&key, &help));
         }
@@ -67,9 +67,13 @@ impl App {
     /// Types pasted text into the current line; ignores it if there is no line.
     pub(crate) fn paste(&mut self, text: &str) {
         if let Mode::Pick(picker) = &mut self.shell.mode {
-            text.chars().for_each(|c| picker.push(c));
+            for c in text.chars() {
+                picker.edit(Key::Char(c));
+            }
         } else if let Some(line) = self.shell.mode.line() {
-            text.chars().for_each(|c| line.push(c));
+            for c in text.chars() {
+                line.edit(Key::Char(c));
+            }
             self.find();
         }
         match &mut self.shell.mode {
@@ -88,14 +92,14 @@ impl App {
     /// Handles a key of the current mode. Returns `None` for keys with the same meaning everywhere.
     fn mode_key(&mut self, key: Key, now: Duration) -> Option<Effect> {
         match self.shell.mode {
-            Mode::Normal => None,
+            Mode::Normal => self.repeat_search(key),
             Mode::Help(_) => self.handle_search_key(key),
             Mode::Tour(_) => self.turn_page(key),
             Mode::GoTo(_) | Mode::Guess(_) | Mode::Goal(_) | Mode::Value(_) | Mode::FileName(_) => {
                 self.line_key(key, now)
             }
-            Mode::Assemblies(cursor) => (key == Key::Enter).then(|| {
-                self.take_assembly(cursor, now);
+            Mode::Assemblies(_) => (key == Key::Enter).then(|| {
+                self.take_assembly(now);
                 Effect::Show
             }),
             Mode::PlotList(_) => self.list_key(key),
@@ -103,7 +107,7 @@ impl App {
             Mode::Confirm(_) => self.confirm_key(key, now),
             Mode::Pick(_) => self.pick_key(key, now),
             Mode::Candidates => self.candidates_key(key, now),
-            Mode::GoalRun => self.goal_run_key(key, now),
+            Mode::GoalRun(_) => self.goal_run_key(key, now),
             Mode::Search(_) => self.search_key(key),
             Mode::Copy => self.copy_key(key),
             Mode::Unsaved(_) => self.answer(key, now),
@@ -151,28 +155,65 @@ impl App {
     pub(super) fn takes(&self, action: Action) -> bool {
         match self.shell.mode {
             Mode::Tour(_) => screens::allows(action),
-            _ => self.shell.mode == Mode::Normal,
+            _ => self.shell.mode.is_normal(),
         }
     }
 
-    /// Goes one level back: closes a mode, drops staged edits, stops a study or ends a comparison.
+    /// Returns what Esc ends in the current view: only what the view shows.
+    pub(crate) fn back_target(&self) -> BackTarget {
+        let view = self.shell.view;
+        let study = self.views.lengths.get();
+        if view == View::Scene && self.document.editor.gathered.is_some() {
+            BackTarget::StagedEdits
+        } else if view == View::Lengths && study.is_some_and(|study| study.told.is_some()) {
+            BackTarget::Tolerance
+        } else if self.is_watching() {
+            BackTarget::Method
+        } else if view == View::Accuracy && self.is_working() {
+            BackTarget::Study
+        } else if self.shell.composition.is_alone(self.shell.size) {
+            BackTarget::Pane
+        } else if self.compared().is_some() {
+            BackTarget::Comparison
+        } else {
+            BackTarget::Search
+        }
+    }
+
+    /// Goes one level back: closes a mode, or ends what [`App::back_target`] says.
     pub(super) fn back(&mut self) {
         if let Mode::Help(help) = &mut self.shell.mode
             && help.show_all()
         {
             return;
         }
-        if self.shell.mode != Mode::Normal {
+        if !self.shell.mode.is_normal() {
             self.shell.mode = self.below();
-        } else if self.drop_gathered() || self.leave_tolerance() {
-        } else if self.is_watching() {
-            self.watch_method(None);
-        } else if self.is_working() {
-            self.study_run.stop();
-        } else if self.shell.composition.restore_panes(self.shell.size) {
-            self.rearrange();
-        } else if self.compared().is_some() {
-            self.compare();
+            return;
+        }
+        match self.back_target() {
+            BackTarget::StagedEdits => self.drop_gathered(),
+            BackTarget::Tolerance => self.leave_tolerance(),
+            BackTarget::Method => self.watch_method(None),
+            BackTarget::Study => self.views.study_run.stop(),
+            BackTarget::Pane => {
+                self.shell.composition.restore_panes();
+                self.rearrange();
+            }
+            BackTarget::Comparison => self.compare(),
+            BackTarget::Search => self.views.searched = None,
         }
     }
+}
+
+/// What Esc ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BackTarget {
+    StagedEdits,
+    Tolerance,
+    Method,
+    Study,
+    Pane,
+    Comparison,
+    Search,
 }

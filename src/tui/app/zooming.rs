@@ -10,7 +10,7 @@ impl App {
     pub(super) fn move_lens(&mut self, action: MotionAction) {
         use MotionAction as M;
         match action {
-            M::Names => self.shell.say(self.viewport.next_names().text()),
+            M::Names => self.shell.say(self.views.viewport.next_names().text()),
             M::Velocities => self.switch(Layer::Velocities, words().arrows_of_velocity()),
             M::Accelerations => self.switch(Layer::Accelerations, words().arrows_of_acceleration()),
             M::Forces => self.switch_forces(),
@@ -20,12 +20,13 @@ impl App {
             M::Guides => self.switch(Layer::Guides, words().guides_and_supports()),
             M::ZoomIn => self.zoom(1),
             M::ZoomOut => self.zoom(-1),
-            M::Fit => self.shell.say(self.viewport.fit()),
-            M::FitPose => self.shell.say(self.viewport.fit_pose()),
+            M::Fit => self.shell.say(self.views.viewport.fit()),
+            M::FitPose => self.shell.say(self.views.viewport.fit_pose()),
             M::Follow => {
                 let told = self
+                    .views
                     .viewport
-                    .follow(&self.player.open_scene, &self.followed);
+                    .follow(&self.player.open_scene, &self.views.followed);
                 self.shell.say(told);
             }
             M::PanLeft => self.pan(-1.0, 0.0),
@@ -36,7 +37,7 @@ impl App {
     }
 
     fn switch(&mut self, layer: Layer, name: &str) {
-        self.shell.say(match self.viewport.toggle(layer) {
+        self.shell.say(match self.views.viewport.toggle(layer) {
             true => words().switched_on(name),
             false => words().switched_off(name),
         });
@@ -47,14 +48,19 @@ impl App {
     fn switch_forces(&mut self) {
         let acts = self.player.open_scene.solver().has_forces();
         self.switch(Layer::Forces, words().loads_and_forces());
-        if self.viewport.shows_forces() && !acts {
+        if self.views.viewport.shows_forces() && !acts {
             self.shell.say(words().nothing_acts_in_short());
         }
         self.update_needs();
     }
 
     fn zoom(&mut self, steps: i8) {
-        if !self.viewport.lens.enlarge(&self.player.open_scene, steps) {
+        if !self
+            .views
+            .viewport
+            .lens
+            .enlarge(&self.player.open_scene, steps)
+        {
             self.shell.say(words().no_more_to_zoom());
         }
     }
@@ -64,6 +70,7 @@ impl App {
         let steps = if larger { 1 } else { -1 };
         let open_scene = &self.player.open_scene;
         if !self
+            .views
             .viewport
             .lens
             .enlarge_at(open_scene, from_middle, steps)
@@ -73,13 +80,13 @@ impl App {
     }
 
     fn pan(&mut self, right: f64, up: f64) {
-        if !self.viewport.lens.pan(&self.player.open_scene, right, up) {
+        if !self
+            .views
+            .viewport
+            .lens
+            .pan(&self.player.open_scene, right, up)
+        {
             self.shell.say(words().motion_ends());
         }
-    }
-
-    /// Updates the motion view's data on the whole motion. Runs after every key and before a frame.
-    pub(crate) fn focus(&mut self) {
-        self.viewport.focus(&self.player.open_scene, &self.followed);
     }
 }

@@ -26,6 +26,9 @@ pub enum Theme {
 }
 
 impl Theme {
+    /// All themes, the default one first.
+    pub(crate) const ALL: [Theme; 4] = [Theme::Auto, Theme::Light, Theme::Dark, Theme::Plain];
+
     /// Returns the name in options and in the configuration.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -359,8 +359,8 @@ pub(crate) static SECTIONS: [ActionSection; 8] = {
         ActionSection { title: W::lists, entries: &[
         entry(A::LineUp, "up", W::up, W::up_a_line, &[Key::Up, Char('k')]),
         entry(A::LineDown, "scroll", W::scroll, W::down_a_line, &[Key::Down, Char('j')]),
-        entry(A::PageUp, "page-up", W::page_up, W::up_a_screen, &[Key::PageUp]),
-        entry(A::PageDown, "page-down", W::page_down, W::down_a_screen, &[Key::PageDown]),
+        entry(A::PageUp, "page-up", W::page_up, W::up_a_screen, &[Key::PageUp, Ctrl('b')]),
+        entry(A::PageDown, "page-down", W::page_down, W::down_a_screen, &[Key::PageDown, Ctrl('f')]),
         listed_in(entry(A::HalfUp, "half-up", W::half_up, W::half_a_screen_up, &[Ctrl('u')])),
         listed_in(entry(A::HalfDown, "half-down", W::half_down, W::half_a_screen_down, &[Ctrl('d')])),
         listed_in(entry(A::Top, "top", W::first_line, W::the_first_line, &[Key::Home])),

@@ -25,6 +25,8 @@ pub(crate) struct EditLine {
     /// Maximum length in bytes.
     longest: usize,
     takes: Takes,
+    /// `true` if the text is a proposal, which the first typed character replaces.
+    is_proposal: bool,
     /// The first reason for a rejected character since the last report.
     refusal: Option<RefusedKey>,
 }
@@ -56,6 +58,7 @@ impl EditLine {
             text: String::new(),
             longest: MAX_NUMBER_LEN,
             takes: Takes::Plain,
+            is_proposal: false,
             refusal: None,
         }
     }
@@ -94,13 +97,27 @@ impl EditLine {
 
     /// Creates a line for a file name, with a proposal.
     pub(crate) fn for_file(proposal: &str) -> EditLine {
-        let mut line = EditLine {
+        let mut line = EditLine::for_command();
+        proposal.chars().for_each(|c| line.push(c));
+        line.is_proposal = true;
+        line
+    }
+
+    /// Creates an empty line for a command, which may contain a file name.
+    pub(crate) fn for_command() -> EditLine {
+        EditLine {
             longest: MAX_NAME_LEN,
             takes: Takes::Any,
             ..EditLine::for_number()
-        };
-        proposal.chars().for_each(|c| line.push(c));
-        line
+        }
+    }
+
+    /// Creates an empty line for the name or title of a scene.
+    pub(crate) fn for_scene() -> EditLine {
+        EditLine {
+            takes: Takes::Any,
+            ..EditLine::for_search()
+        }
     }
 
     /// Creates an empty line for a name to search for.
@@ -152,9 +169,20 @@ impl EditLine {
         })
     }
 
-    /// Handles a key that edits the line; returns `false` for all others.
+    /// Returns `true` if the text is a proposal, which the first typed character replaces.
+    pub(crate) fn is_proposal(&self) -> bool {
+        self.is_proposal
+    }
+
+    /// Handles a key that edits the line; returns `false` for all others. The arrow to the right
+    /// keeps a proposal, so that more can be typed behind it.
     pub(crate) fn edit(&mut self, key: Key) -> bool {
+        let is_proposal = std::mem::take(&mut self.is_proposal);
+        if is_proposal && matches!(key, Key::Char(_)) {
+            self.text.clear();
+        }
         match key {
+            Key::Right | Key::End if is_proposal => {}
             Key::Char(c) => self.push(c),
             Key::Backspace => {
                 self.text.pop();

@@ -5,5 +5,6 @@ pub(crate) mod key;
 pub(crate) mod keymap;
 pub(crate) mod keywords;
 pub(crate) mod line;
+pub(crate) mod list;
 pub(crate) mod mouse;
 pub(crate) mod view;

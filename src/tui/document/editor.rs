@@ -1,6 +1,7 @@
 //! The values of the open scene as edited: cursor, step size, and differences from the file.
 
 use crate::scene::{Measure, Scene, Value};
+use crate::tui::commands::list::moved;
 use crate::tui::document::gathered::{DroppedEdits, GatheredEdits};
 use crate::tui::document::history::History;
 use std::collections::HashMap;
@@ -181,7 +182,7 @@ impl Editor {
         let same = before.and_then(|name| self.values.iter().position(|v| v.name == name));
         match same {
             Some(row) => self.cursor = row,
-            None => self.go(self.cursor.min(self.values.len().saturating_sub(1))),
+            None => self.go(moved(self.cursor, 0, self.values.len())),
         }
     }
 
@@ -243,18 +244,14 @@ impl Editor {
 
     /// Moves the cursor by rows, within the list.
     pub(crate) fn move_by(&mut self, rows: isize) {
-        let last = self.values.len().saturating_sub(1);
-        let to = self.cursor.saturating_add_signed(rows).min(last);
-        if to != self.cursor {
-            self.go(to);
-        }
+        self.go_to(moved(self.cursor, rows, self.values.len()));
     }
 
     /// Moves the cursor to a row.
     pub(crate) fn go_to(&mut self, row: usize) {
-        let last = self.values.len().saturating_sub(1);
-        if row.min(last) != self.cursor {
-            self.go(row.min(last));
+        let row = moved(row, 0, self.values.len());
+        if row != self.cursor {
+            self.go(row);
         }
     }
 
@@ -280,11 +277,15 @@ impl Editor {
     }
 
     /// Moves the cursor to the next value whose name contains `text`, ignoring case. Starts at the
-    /// current value, or after it if `behind`. Returns `false` if there is none.
-    pub(crate) fn seek(&mut self, text: &str, behind: bool) -> bool {
+    /// current value, behind it if `step` is positive, or before it and backwards if `step` is
+    /// negative. Returns `false` if there is none.
+    pub(crate) fn seek(&mut self, text: &str, step: isize) -> bool {
         let sought = text.to_ascii_lowercase();
         let count = self.values.len();
-        let rows = (0..count).map(|i| (self.cursor + i + usize::from(behind)) % count);
+        let rows = (0..count).map(|i| match step < 0 {
+            true => (self.cursor + count - 1 - i) % count,
+            false => (self.cursor + i + usize::from(step > 0)) % count,
+        });
         let mut found = rows.filter(|&row| {
             let name = self.values[row].name.to_ascii_lowercase();
             name.contains(&sought)
@@ -292,9 +293,7 @@ impl Editor {
         let Some(row) = found.next() else {
             return false;
         };
-        if row != self.cursor {
-            self.go(row);
-        }
+        self.go_to(row);
         true
     }
 
@@ -411,21 +410,21 @@ mod tests {
     #[test]
     fn chosen_step_applies_to_values_of_one_kind() {
         let (_, mut editor) = editor("four-bar");
-        assert!(editor.seek("r2 length", false));
+        assert!(editor.seek("r2 length", 0));
         assert_eq!(editor.notch().to_string(), "1");
         editor.finer();
-        assert!(editor.seek("r3 LEN", false));
+        assert!(editor.seek("r3 LEN", 0));
         assert_eq!(editor.notch().to_string(), "0.5");
-        assert!(editor.seek("driver angle", false));
+        assert!(editor.seek("driver angle", 0));
         assert_eq!(editor.notch(), DEGREE);
-        assert!(!editor.seek("nowhere", false));
+        assert!(!editor.seek("nowhere", 0));
         assert_eq!(editor.value().unwrap().name, "driver angle");
     }
 
     #[test]
     fn restored_number_keeps_its_literal() {
         let (scene, mut editor) = editor("excavator-boom");
-        assert!(editor.seek("driver position", false));
+        assert!(editor.seek("driver position", 0));
         let value = editor.value().unwrap().clone();
         assert_eq!(value.literal, "2.0");
         let mut moved = value.clone();

@@ -8,10 +8,10 @@ pub(crate) mod edited;
 pub(crate) mod editor;
 pub(crate) mod gathered;
 pub(crate) mod history;
+pub(crate) mod job;
 pub(crate) mod opening;
 pub(crate) mod recovery;
 pub(crate) mod saving;
-pub(crate) mod search_progress;
 pub(crate) mod writing;
 
 use crate::scene::Scene;

@@ -51,10 +51,18 @@ pub(crate) struct FoundLine {
 
 impl FoundLine {
     /// Finds the first line from `from` on, cyclically, that contains the typed text, ignoring
-    /// case.
-    pub(crate) fn of(lines: &[String], typed: &str, from: usize) -> Option<FoundLine> {
+    /// case. Backwards, finds the last one before `from`.
+    pub(crate) fn of(
+        lines: &[String],
+        typed: &str,
+        from: usize,
+        forward: bool,
+    ) -> Option<FoundLine> {
         let count = lines.len();
-        let mut round = (0..count).map(|by| (from + by) % count);
+        let mut round = (0..count).map(|by| match forward {
+            true => (from + by) % count,
+            false => (from + count - 1 - by) % count,
+        });
         let line = round.find(|at| has(&lines[*at], typed))?;
         let text = typed.to_owned();
         Some(FoundLine { line, text })
@@ -81,12 +89,15 @@ pub(crate) fn best(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor>
     found.map(|(_, cursor)| cursor)
 }
 
-/// Finds the next row behind `from` whose name contains the typed text; `from` itself comes last.
-pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor) -> Option<Cursor> {
+/// Finds the next row behind `from` whose name contains the typed text, or the row before it if not
+/// `forward`; `from` itself comes last.
+pub(crate) fn next(tables: &Tables, typed: &str, from: Cursor, forward: bool) -> Option<Cursor> {
     let fits = fits(tables, typed, from);
-    let other = fits
-        .iter()
-        .find(|(_, c)| (c.part, c.row) != (from.part, from.row));
+    let is_other = |(_, c): &&(NameMatch, Cursor)| (c.part, c.row) != (from.part, from.row);
+    let other = match forward {
+        true => fits.iter().find(is_other),
+        false => fits.iter().rfind(is_other),
+    };
     other.or(fits.first()).map(|(_, cursor)| *cursor)
 }
 
@@ -151,12 +162,31 @@ mod tests {
         let mut cursor = Cursor::default();
         let mut found = Vec::new();
         for _ in 0..4 {
-            cursor = next(&tables, "com", cursor).unwrap();
+            cursor = next(&tables, "com", cursor, true).unwrap();
             found.push(name(&tables, cursor));
         }
         assert_eq!(found, ["r2.com", "r3.com", "r4.com", "r2.com"]);
-        let alone = next(&tables, "r2.com", cursor).unwrap();
-        assert_eq!(alone, cursor, "it is its own next");
-        assert_eq!(next(&tables, "nothing", cursor), None);
+        let before = next(&tables, "com", cursor, false).unwrap();
+        assert_eq!(name(&tables, before), "r4.com");
+        for forward in [true, false] {
+            let alone = next(&tables, "r2.com", cursor, forward).unwrap();
+            assert_eq!(alone, cursor, "it is its own next");
+            assert_eq!(next(&tables, "nothing", cursor, forward), None);
+        }
+    }
+
+    #[test]
+    fn lines_are_searched_in_both_directions() {
+        let lines = ["a b", "c", "B", "d"].map(str::to_owned);
+        let found = |from, forward| {
+            let found = FoundLine::of(&lines, "b", from, forward);
+            found.map(|found| found.line)
+        };
+        assert_eq!([0, 1, 3].map(|from| found(from, true)), [0, 2, 0].map(Some));
+        assert_eq!(
+            [0, 2, 3].map(|from| found(from, false)),
+            [2, 0, 2].map(Some)
+        );
+        assert_eq!(FoundLine::of(&[], "b", 0, false), None);
     }
 }

@@ -3,8 +3,9 @@
 use crate::ElementId;
 use crate::assembly::pick_text;
 use crate::drawing::Reach;
-use crate::scene::Scene;
-use crate::solver::{Choice, GroupId, Solver, State};
+use crate::solver::{Choice, GroupId, State};
+use crate::tui::commands::list::List;
+use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 
 /// Significant digits of coordinates in the list: a tenth of the reading accuracy of a drawing.
@@ -33,18 +34,17 @@ impl AssemblyRow {
 /// The assemblies of all groups.
 #[derive(Debug)]
 pub(crate) struct AssemblyList {
-    rows: Vec<AssemblyRow>,
-    reach: Reach,
+    pub(crate) list: List<AssemblyRow>,
+    /// The extents of the linkage with all its ghosts.
+    pub(crate) reach: Reach,
 }
 
 impl AssemblyList {
-    /// Computes the assemblies; `None` if no group has a choice.
-    pub(crate) fn new(
-        scene: &Scene,
-        solver: &Solver,
-        at: f64,
-        reach: &Reach,
-    ) -> Option<AssemblyList> {
+    /// Computes the assemblies of all groups at the driver's coordinate; `None` if no group has a
+    /// choice. The cursor is on the first one that closes and is not the current one.
+    pub(crate) fn new(open_scene: &OpenScene) -> Option<AssemblyList> {
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        let (at, reach) = (open_scene.at(), open_scene.reach());
         let groups = solver.plan().numbered();
         let groups = groups.filter(|(_, g)| g.has_choices()).take(MAX_GROUPS);
         let mut rows = Vec::new();
@@ -73,30 +73,18 @@ impl AssemblyList {
         }
         let others = rows.iter().filter(|row| row.choice.closes);
         let reach = reach.with(scene, others.map(|row| &row.choice.state));
-        (!rows.is_empty()).then_some(AssemblyList { rows, reach })
-    }
-
-    pub(crate) fn rows(&self) -> &[AssemblyRow] {
-        &self.rows
-    }
-
-    /// Returns the extents of the linkage with all its ghosts.
-    pub(crate) fn reach(&self) -> &Reach {
-        &self.reach
-    }
-
-    /// Returns the initial cursor: the first assembly that closes and is not the current one.
-    pub(crate) fn first(&self) -> usize {
-        let other = |row: &AssemblyRow| !row.choice.is_current && row.choice.closes;
-        self.rows.iter().position(other).unwrap_or(0)
+        let mut list = List::new(rows);
+        list.go_to(|row| !row.choice.is_current && row.choice.closes);
+        list.chosen()?;
+        Some(AssemblyList { list, reach })
     }
 
     /// Returns the states to draw as ghosts: the assembly under the cursor, or all others of its
     /// group if that is the current one.
-    pub(crate) fn ghosts(&self, cursor: usize) -> impl Iterator<Item = &State> {
-        let chosen = self.rows.get(cursor);
+    pub(crate) fn ghosts(&self) -> impl Iterator<Item = &State> {
+        let (chosen, cursor) = (self.list.chosen(), self.list.cursor());
         let at_present = chosen.is_none_or(|row| row.choice.is_current);
-        let rows = self.rows.iter().enumerate();
+        let rows = self.list.listed().enumerate();
         let shown = rows.filter(move |(i, row)| {
             let same = chosen.is_some_and(|c| c.group == row.group);
             let meant = *i == cursor || (at_present && same);

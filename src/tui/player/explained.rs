@@ -2,11 +2,10 @@
 
 use crate::Ball;
 use crate::page::Page;
-use crate::quantity::DriverState;
 use crate::report::Working;
 use crate::scene::Scene;
 use crate::solver::{Order, Workspace};
-use crate::tui::Opened;
+use crate::tui::player::open_scene::OpenScene;
 
 /// Significant digits, as in the tables.
 pub(crate) const DIGITS: usize = 6;
@@ -28,9 +27,9 @@ impl Explained {
         scene.mechanism.links().len() <= MAX_LINKS
     }
 
-    /// Creates the working at a driver state; `None` if the scene has too many links.
-    pub(crate) fn new(opened: &Opened, stand: &DriverState) -> Option<Explained> {
-        let Opened { scene, solver, .. } = opened;
+    /// Creates the working at the driver's position; `None` if the scene has too many links.
+    pub(crate) fn new(open_scene: &OpenScene) -> Option<Explained> {
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
         if !Explained::is_possible(scene) {
             return None;
         }
@@ -40,13 +39,14 @@ impl Explained {
             enclosure: solver.enclosure(),
             page: Page::default(),
         };
-        explained.go(opened, stand);
+        explained.go(open_scene);
         Some(explained)
     }
 
     /// Updates the working for another driver state.
-    pub(crate) fn go(&mut self, opened: &Opened, stand: &DriverState) {
-        let Opened { scene, solver, .. } = opened;
+    pub(crate) fn go(&mut self, open_scene: &OpenScene) {
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        let stand = open_scene.stand();
         let _ = stand.solve(solver, Order::Force, &mut self.state);
         stand.drive(solver, &mut self.enclosure);
         solver.enclose(&mut self.state, Order::Force, &mut self.enclosure);

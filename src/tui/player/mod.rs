@@ -6,6 +6,7 @@ pub(crate) mod cost;
 pub(crate) mod driver_range;
 pub(crate) mod edition;
 pub(crate) mod explained;
+pub(crate) mod live;
 pub(crate) mod next_singularity;
 pub(crate) mod open_scene;
 pub(crate) mod playback;

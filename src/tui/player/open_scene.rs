@@ -3,23 +3,16 @@
 use crate::Ball;
 use crate::document::ascii_letter;
 use crate::drawing::{Reach, Role, vector_roles};
-use crate::quantity::{Catalogue, DriverState, Quantity, Sensitivity};
-use crate::report::{
-    Answers, Forces, PositionMethod, Tables, ToleranceAnswers, ToleranceReport, Verdict,
-};
+use crate::quantity::DriverState;
+use crate::report::{Tables, Verdict};
 use crate::scene::presets::{self, Preset};
 use crate::scene::{Scene, sanitized};
 use crate::solver::{Condition, GroupId, Order, Pick, Solver, State, Workspace};
-use crate::study::{Distribution, SampleOrder, ToleranceStudy};
-use crate::tui::figures::force_figures::ForceFigures;
 use crate::tui::figures::sheet::Sheet;
-use crate::tui::player::assembly_list::AssemblyList;
 use crate::tui::player::cost::Cost;
 use crate::tui::player::driver_range::DriverRange;
 use crate::tui::player::edition::SceneRevision;
-use crate::tui::player::explained::Explained;
 use crate::tui::player::timetable::Timetable;
-use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::{Opened, Origin};
 use std::borrow::Cow;
 use std::path::PathBuf;
@@ -48,34 +41,9 @@ pub(crate) struct OpenScene {
     enclosure: Workspace<Ball>,
     tables: Tables,
     cost: Cost,
-    /// The effect of the lengths, while its view is visible.
-    answers: Option<LengthsQuestion>,
-    /// The forces, while they are shown and if loads act.
-    force_figures: Option<ForceFigures>,
-    /// The assemblies of the groups, while they are listed.
-    assembly_list: Option<AssemblyList>,
-    /// The written solution of the state, while its view is visible.
-    explained: Option<Explained>,
-    /// The watched method at the current state.
-    watched: Option<WatchedMethod>,
+    /// The order to which each state is solved: with forces only while they are shown.
+    order: Order,
 }
-
-/// The sensitivity of the motion to the lengths, with its results.
-#[derive(Debug)]
-struct LengthsQuestion {
-    sensitivity: Sensitivity,
-    answers: Answers,
-    /// The tolerance study and its results, if the scene has tolerances.
-    tolerances: Option<(ToleranceStudy, ToleranceAnswers)>,
-    /// The effect of all tolerances on one quantity, at the coordinate where it was requested.
-    told: Option<ToleranceReport>,
-}
-
-/// Number of random machines for the tolerance report on one quantity.
-const MACHINES: u32 = 10_000;
-
-/// Maximum number of lengths. More would delay the frame.
-const MAX_LENGTHS: usize = 200;
 
 impl OpenScene {
     /// Opens a scene at its initial position.
@@ -100,9 +68,8 @@ impl OpenScene {
                 &mut state,
                 &mut enclosure,
             ),
-            answers: None,
-            force_figures: None,
             cost: Cost::default(),
+            order: Order::Acceleration,
             enclosure,
             opened,
             driver_range,
@@ -111,9 +78,6 @@ impl OpenScene {
             time: timetable.is_some().then_some(0.0),
             timetable,
             state,
-            assembly_list: None,
-            explained: None,
-            watched: None,
         }
     }
 
@@ -140,18 +104,6 @@ impl OpenScene {
         });
         open_scene.stand_at(self.stand, self.time);
         Ok(open_scene)
-    }
-
-    /// Computes the assemblies of all groups at the current coordinate.
-    pub(crate) fn compute_assemblies(&mut self) -> Option<&AssemblyList> {
-        let Opened { scene, solver, .. } = &self.opened;
-        self.assembly_list = AssemblyList::new(scene, solver, self.at(), &self.reach);
-        self.assembly_list.as_ref()
-    }
-
-    /// Returns the result of [`OpenScene::compute_assemblies`].
-    pub(crate) fn assembly_list(&self) -> Option<&AssemblyList> {
-        self.assembly_list.as_ref()
     }
 
     /// Returns the scene's text with the start positions of this assembly.
@@ -193,97 +145,20 @@ impl OpenScene {
 
     fn stand_at(&mut self, stand: DriverState, time: Option<f64>) {
         (self.stand, self.time) = (stand, time);
-        let at = stand.at;
-        self.assembly_list = None;
-        let order = match self.force_figures {
-            Some(_) => Order::Force,
-            None => Order::Acceleration,
+        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
+        self.tables = solved(&self.opened, &stand, self.order, state, enclosure);
+    }
+
+    /// Solves this and all further states with or without forces.
+    pub(crate) fn solve_forces(&mut self, wanted: bool) {
+        let order = match wanted && self.opened.solver.has_forces() {
+            true => Order::Force,
+            false => Order::Acceleration,
         };
-        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        self.tables = solved(&self.opened, &stand, order, state, enclosure);
-        if let Some(asked) = &mut self.answers {
-            let unit = self.opened.scene.unit.symbol();
-            asked.answers = Answers::at(&mut asked.sensitivity, unit, at).worth_reading();
-            if let Some((study, found)) = &mut asked.tolerances {
-                *found = ToleranceAnswers::at(&self.opened.scene, study, at);
-            }
+        if order != self.order {
+            self.order = order;
+            self.stand_at(self.stand, self.time);
         }
-        if let Some(force_figures) = &mut self.force_figures {
-            let Opened { scene, solver, .. } = &self.opened;
-            let forces = Forces::new(scene, solver, &self.state, Some(&self.enclosure));
-            force_figures.follow(forces);
-        }
-        if let Some(explained) = &mut self.explained {
-            explained.go(&self.opened, &stand);
-        }
-        if let Some(watched) = &mut self.watched {
-            watched.go(&self.opened, at);
-        }
-    }
-
-    /// Starts computing the forces at every position, or stops it.
-    pub(crate) fn balance_forces(&mut self, wanted: bool) {
-        if wanted && self.force_figures.is_some() {
-            return;
-        }
-        self.force_figures = None;
-        if !(wanted && self.opened.solver.has_forces()) {
-            return;
-        }
-        let Opened { scene, solver, .. } = &self.opened;
-        let mut state = solver.state();
-        let samples = self.places().into_iter().filter_map(|stand| {
-            let _ = stand.solve(solver, Order::Force, &mut state);
-            Forces::new(scene, solver, &state, None)
-        });
-        let samples: Vec<Forces> = samples.collect();
-        let (state, enclosure) = (&mut self.state, &mut self.enclosure);
-        let _ = self.stand.solve(solver, Order::Force, state);
-        solver.enclose(state, Order::Force, enclosure);
-        let forces = Forces::new(scene, solver, state, Some(enclosure));
-        self.force_figures = forces.map(|forces| ForceFigures::new(forces, &samples));
-    }
-
-    /// Returns the forces, if they are shown and loads act.
-    pub(crate) fn force_figures(&self) -> Option<&ForceFigures> {
-        self.force_figures.as_ref()
-    }
-
-    /// Starts writing the solution at every position, or stops it.
-    pub(crate) fn explain(&mut self, wanted: bool) {
-        if wanted && self.explained.is_some() {
-            return;
-        }
-        self.explained = wanted
-            .then(|| Explained::new(&self.opened, &self.stand))
-            .flatten();
-    }
-
-    /// Returns the written solution, if it is shown and the scene is not too large.
-    pub(crate) fn explained(&self) -> Option<&Explained> {
-        self.explained.as_ref()
-    }
-
-    /// Starts watching a method from a guess, or stops if `None`.
-    pub(crate) fn watch(&mut self, method: Option<PositionMethod>, guess: &str) {
-        if self.watched.as_ref().map(WatchedMethod::method) != method {
-            let new = |method| WatchedMethod::new((method, guess), &self.opened, self.at());
-            self.watched = method.and_then(new);
-        }
-    }
-
-    /// Sets the initial guess of the watched method.
-    ///
-    /// # Errors
-    /// Returns a message if the guess is invalid for this scene; the previous one then stays.
-    pub(crate) fn guess(&mut self, guess: &str) -> Result<(), String> {
-        let watched = self.watched.as_mut();
-        watched.map_or(Ok(()), |watched| watched.begin_at(guess, &self.opened))
-    }
-
-    /// Returns the watched method, if the scene is not too large.
-    pub(crate) fn watched(&self) -> Option<&WatchedMethod> {
-        self.watched.as_ref()
     }
 
     /// Measures the cost of solving the state without bounds. Uses a state of its own, because the
@@ -310,83 +185,6 @@ impl OpenScene {
         bounds.try_fold(0.0, |most: f64, bound| Some(most.max(bound?)))
     }
 
-    /// Starts computing the effect of the lengths at every position, or stops it.
-    pub(crate) fn answer(&mut self, wanted: bool) {
-        if wanted && self.answers.is_some() {
-            return;
-        }
-        self.answers = None;
-        if wanted && !self.has_too_many_lengths() {
-            let Opened { scene, solver, .. } = &self.opened;
-            let figures = Catalogue::new(scene).figures();
-            let mut sensitivity = Sensitivity::new(scene, solver, &figures);
-            let answers = Answers::at(&mut sensitivity, scene.unit.symbol(), self.at());
-            let answers = answers.worth_reading();
-            let of_motion = figures.into_iter().filter(|q| q.order() != Order::Force);
-            let of_motion: Vec<Quantity> = of_motion.collect();
-            let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &of_motion);
-            let tolerances = study.ok().map(|mut study| {
-                let found = ToleranceAnswers::at(scene, &mut study, self.at());
-                (study, found)
-            });
-            self.answers = Some(LengthsQuestion {
-                sensitivity,
-                answers,
-                tolerances,
-                told: None,
-            });
-        }
-    }
-
-    /// Returns `true` if the scene has too many lengths to compute their effect.
-    pub(crate) fn has_too_many_lengths(&self) -> bool {
-        self.opened.scene.mechanism.lengths().len() > MAX_LENGTHS
-    }
-
-    /// Returns the effect of the lengths, if it is shown and the lengths are not too many.
-    pub(crate) fn answers(&self) -> Option<&Answers> {
-        self.answers.as_ref().map(|asked| &asked.answers)
-    }
-
-    /// Returns the effect of tolerances, if it is shown and the scene has tolerances.
-    pub(crate) fn tolerance_answers(&self) -> Option<&ToleranceAnswers> {
-        let (_, found) = self.answers.as_ref()?.tolerances.as_ref()?;
-        Some(found)
-    }
-
-    /// Computes the effect of all tolerances on one quantity, while the lengths are shown.
-    ///
-    /// # Errors
-    /// Returns a message if the tolerance study fails.
-    pub(crate) fn tell_tolerance(&mut self, figure: Quantity) -> Result<(), String> {
-        let at = self.at();
-        let Opened { scene, solver, .. } = &self.opened;
-        let mut study = ToleranceStudy::new(scene, solver, scene.tolerances(), &[figure])
-            .map_err(|why| why.to_string())?;
-        let order = SampleOrder {
-            count: MACHINES,
-            seed: 1,
-            distribution: Distribution::default(),
-        };
-        let condition = self.state.condition();
-        let report = ToleranceReport::at(scene, &mut study, at, condition, Some(order));
-        if let Some(asked) = &mut self.answers {
-            asked.told = Some(report);
-        }
-        Ok(())
-    }
-
-    /// Returns the tolerance report on one quantity, if requested.
-    pub(crate) fn told_tolerance(&self) -> Option<&ToleranceReport> {
-        self.answers.as_ref()?.told.as_ref()
-    }
-
-    /// Drops the tolerance report on one quantity. Returns `false` if there was none.
-    pub(crate) fn leave_tolerance(&mut self) -> bool {
-        let told = self.answers.as_mut().and_then(|asked| asked.told.take());
-        told.is_some()
-    }
-
     pub(crate) fn scene(&self) -> &Scene {
         &self.opened.scene
     }
@@ -403,11 +201,9 @@ impl OpenScene {
         &self.driver_range
     }
 
-    /// Rebuilds cached text in the current language. The written solution is rebuilt when it is
-    /// shown.
+    /// Rebuilds cached text in the current language.
     pub(crate) fn say_again(&mut self) {
         self.verdict = Verdict::new(&self.opened.scene, &self.opened.solver);
-        self.explained = None;
     }
 
     /// Returns the verdict on the linkage as a whole.
@@ -453,16 +249,17 @@ impl OpenScene {
     /// has a motion over time.
     pub(crate) fn state_by_speed(&self) -> State {
         let mut state = self.opened.solver.state();
-        let order = match self.force_figures {
-            Some(_) => Order::Force,
-            None => Order::Acceleration,
-        };
-        let _ = self.opened.solver.solve(self.at(), order, &mut state);
+        let _ = self.opened.solver.solve(self.at(), self.order, &mut state);
         state.into_state()
     }
 
     pub(crate) fn state(&self) -> &State {
         &self.state
+    }
+
+    /// Returns the error bounds of the state.
+    pub(crate) fn enclosure(&self) -> &State<Ball> {
+        &self.enclosure
     }
 
     pub(crate) fn condition(&self) -> Condition {
@@ -614,7 +411,7 @@ mod tests {
     fn measuring_cost_keeps_forces_of_state() {
         let preset = crate::scene::presets::find("four-bar-load").unwrap();
         let mut open_scene = OpenScene::new(opening::preset(preset).unwrap());
-        open_scene.balance_forces(true);
+        open_scene.solve_forces(true);
         let torque = open_scene.state().drive();
         assert!(torque.is_some());
         open_scene.weigh();

@@ -5,7 +5,7 @@ use crate::page::Page;
 use crate::report::{Guess, PositionMethod, WorkedMethod, Working};
 use crate::solver::{Order, Workspace};
 use crate::study::ErrorCurve;
-use crate::tui::Opened;
+use crate::tui::player::open_scene::OpenScene;
 
 /// Significant digits, as in the tables.
 const DIGITS: usize = 6;
@@ -26,10 +26,9 @@ impl WatchedMethod {
     /// `None` if the scene has too many links.
     pub(crate) fn new(
         (method, guess): (PositionMethod, &str),
-        opened: &Opened,
-        at: f64,
+        open_scene: &OpenScene,
     ) -> Option<WatchedMethod> {
-        let Opened { scene, solver, .. } = opened;
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
         if !Explained::is_possible(scene) {
             return None;
         }
@@ -41,8 +40,8 @@ impl WatchedMethod {
             page: Page::default(),
             curves: Vec::new(),
         };
-        watched.go(opened, at);
-        let _ = watched.begin_at(guess, opened);
+        watched.go(open_scene);
+        let _ = watched.begin_at(guess, open_scene);
         Some(watched)
     }
 
@@ -51,24 +50,25 @@ impl WatchedMethod {
     ///
     /// # Errors
     /// Returns a message if the guess is invalid for the scene; the previous one then stays.
-    pub(crate) fn begin_at(&mut self, guess: &str, opened: &Opened) -> Result<(), String> {
+    pub(crate) fn begin_at(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
         let guesses = Guess::listed(guess).map_err(|error| error.to_string())?;
-        let worked = self.work(&guesses, opened)?;
+        let worked = self.work(&guesses, open_scene)?;
         (self.page, self.curves) = (worked.page, worked.curves);
         self.guesses = guesses;
         Ok(())
     }
 
-    fn work(&self, guesses: &[Guess], opened: &Opened) -> Result<WorkedMethod, String> {
-        let stand = (&opened.scene, &opened.solver, self.state.state());
+    fn work(&self, guesses: &[Guess], open_scene: &OpenScene) -> Result<WorkedMethod, String> {
+        let stand = (open_scene.scene(), open_scene.solver(), self.state.state());
         self.working.watched(self.method, stand, guesses, DIGITS)
     }
 
     /// Updates the iterations for another driver coordinate.
-    pub(crate) fn go(&mut self, opened: &Opened, at: f64) {
-        let _ = opened.solver.solve(at, Order::Position, &mut self.state);
+    pub(crate) fn go(&mut self, open_scene: &OpenScene) {
+        let (at, solver) = (open_scene.at(), open_scene.solver());
+        let _ = solver.solve(at, Order::Position, &mut self.state);
         // A guess that is valid for the scene is valid at every coordinate.
-        if let Ok(worked) = self.work(&self.guesses, opened) {
+        if let Ok(worked) = self.work(&self.guesses, open_scene) {
             (self.page, self.curves) = (worked.page, worked.curves);
         }
     }

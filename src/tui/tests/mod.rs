@@ -32,12 +32,9 @@ fn loaded(size: Size) -> App {
 
 /// Returns whether the effects of lengths, the forces and the working have been computed.
 fn found(app: &App) -> [bool; 3] {
-    let open_scene = app.open_scene();
-    let [lengths, forces] = [
-        open_scene.answers().is_some(),
-        open_scene.force_figures().is_some(),
-    ];
-    [lengths, forces, open_scene.explained().is_some()]
+    let views = &app.views;
+    let [lengths, forces] = [views.lengths.get().is_some(), views.forces.get().is_some()];
+    [lengths, forces, views.working.get().is_some()]
 }
 
 /// The terminal's answer means that the last frame is drawn. It changes nothing in the picture, and
@@ -55,7 +52,10 @@ fn answer_alone_does_not_trigger_a_frame() {
 fn only_data_of_visible_panes_is_computed() {
     let press = |app: &mut App, action| app.update(action, Duration::ZERO);
     let mut app = loaded(Size::new(120, 40));
-    assert!(app.plots().plot().is_ok(), "a plot stands from the start");
+    assert!(
+        app.views.plots.plot().is_ok(),
+        "a plot stands from the start"
+    );
     assert_eq!(found(&app), [false; 3]);
     press(&mut app, Action::Look(View::Forces));
     for _ in 0..3 {

@@ -366,18 +366,16 @@ fn check(app: &App) {
     );
     match app.mode() {
         Mode::Tour(number) => assert!(*number < SCREENS),
-        Mode::Assemblies(cursor) => {
-            let rows = open_scene
-                .assembly_list()
-                .map_or(0, |assembly_list| assembly_list.rows().len());
-            assert!(*cursor < rows, "assembly {cursor} of {rows}");
+        Mode::Assemblies(assemblies) => {
+            let (cursor, (rows, _)) = (assemblies.list.cursor(), assemblies.list.count());
+            assert!(cursor < rows, "assembly {cursor} of {rows}");
         }
         Mode::Help(help) => {
             let most = views::most_scroll(app);
             assert!(help.scroll <= most, "line {} of {most}", help.scroll);
         }
         Mode::Pick(picker) => {
-            let (matching, all) = picker.count();
+            let (matching, all) = picker.list.count();
             assert!(matching <= all);
             assert!(
                 matching == 0 || picker.chosen().is_some(),
@@ -391,12 +389,12 @@ fn check(app: &App) {
         app.view(),
         View::Accuracy | View::Lengths | View::Motion | View::Working | View::Motor
     );
-    if *app.mode() == Mode::Normal && scrolls {
+    if app.mode().is_normal() && scrolls {
         let most = views::most_scroll(app);
         assert!(
-            app.scroll(app.view()) <= most,
+            app.views.scroll[app.view() as usize] <= most,
             "scrolled by {} of {most}",
-            app.scroll(app.view())
+            app.views.scroll[app.view() as usize]
         );
     }
     if app.view() == View::Scene {

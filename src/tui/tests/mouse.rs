@@ -98,10 +98,10 @@ fn clicks_select_tab_row_and_value() {
     assert_eq!(bench.app().view(), View::Tables);
     let y = row(&mut bench, "r4  ");
     point(&mut bench, MouseEventKind::Press, Position::new(8, y));
-    assert_eq!(bench.app().cursor().row, 2);
+    assert_eq!(bench.app().views.cursor.row, 2);
     // The wheel continues from that row.
     point(&mut bench, MouseEventKind::WheelUp, Position::new(8, y));
-    assert_eq!(bench.app().cursor().row, 0);
+    assert_eq!(bench.app().views.cursor.row, 0);
     bench.press("6");
     let y = row(&mut bench, "r3 length");
     point(&mut bench, MouseEventKind::Press, Position::new(8, y));
@@ -322,7 +322,7 @@ fn wheel_scrolls_lists_if_arrows_are_rebound() {
     bench.paint();
     let y = row(&mut bench, "r4  ");
     point(&mut bench, MouseEventKind::WheelDown, Position::new(8, y));
-    assert_ne!(bench.app().cursor().row, 0);
+    assert_ne!(bench.app().views.cursor.row, 0);
 }
 
 /// A drag ends when another scene is opened.
@@ -368,6 +368,6 @@ fn zoomed_view_keeps_place_under_pointer() {
         }
         // After fitting, the viewport follows again.
         bench.press("f");
-        assert!(bench.app().viewport().lens.fits(), "{preset}");
+        assert!(bench.app().views.viewport.lens.fits(), "{preset}");
     }
 }

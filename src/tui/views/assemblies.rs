@@ -6,11 +6,11 @@
 //! > C - (212.6, -165.5)
 //! ```
 
-use super::{columns, cut, mark_more, print};
+use super::{columns, cut, list_rows, print};
 use crate::assembly::pick_text;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::player::assembly_list::AssemblyRow;
+use crate::tui::player::assembly_list::{AssemblyList, AssemblyRow};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
@@ -21,26 +21,12 @@ const MAX_NAME_LEN: usize = 9;
 /// Columns between two parts of a row.
 const GAP: u16 = 1;
 
-pub(super) fn render(app: &App, cursor: usize, area: Rect, buffer: &mut Buffer) {
-    let Some(assembly_list) = app.open_scene().assembly_list() else {
-        return;
-    };
-    let rows = assembly_list.rows();
-    let widths = Widths::of(rows);
-    // Scrolls so that the cursor is visible, centred where possible.
-    let height = usize::from(area.height).max(1);
-    let most = rows.len().saturating_sub(height);
-    let first = cursor.saturating_sub(height / 2).min(most);
-    let seen = rows.iter().enumerate().skip(first);
-    for (y, (i, row)) in (area.top()..area.bottom()).zip(seen) {
-        let line = Rect {
-            y,
-            height: 1,
-            ..area
-        };
-        render_row(app, row, i == cursor, &widths, line, buffer);
+pub(super) fn render(app: &App, assemblies: &AssemblyList, area: Rect, buffer: &mut Buffer) {
+    let rows: Vec<&AssemblyRow> = assemblies.list.listed().collect();
+    let (widths, cursor) = (Widths::of(&rows), assemblies.list.cursor());
+    for (at, line) in list_rows(cursor, rows.len(), area, buffer) {
+        render_row(app, rows[at], at == cursor, &widths, line, buffer);
     }
-    mark_more(area, first > 0, first < most, buffer);
 }
 
 /// Widths of the parts of a row, in columns.
@@ -51,8 +37,11 @@ struct Widths {
 }
 
 impl Widths {
-    fn of(rows: &[AssemblyRow]) -> Widths {
-        let widest = |text: &dyn Fn(&AssemblyRow) -> u16| rows.iter().map(text).max().unwrap_or(0);
+    fn of(rows: &[&AssemblyRow]) -> Widths {
+        let widest = |text: &dyn Fn(&AssemblyRow) -> u16| {
+            let widths = rows.iter().map(|row| text(row));
+            widths.max().unwrap_or(0)
+        };
         Widths {
             name: widest(&|row| columns(&name(row))),
             pick: widest(&|row| columns(&pick_text(row.choice.pick))),

@@ -9,7 +9,7 @@
 //! ```
 
 use super::{MIN_SIZE, MIN_VALUE, cut, fits_text, print, question, row, status};
-use crate::tui::app::{App, Mode};
+use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::player::open_scene::shown;
 use crate::wording::words;
@@ -42,7 +42,7 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     for (y, line) in (0..area.height.saturating_sub(1)).zip(lines) {
         put(y, &line);
     }
-    if *app.mode() == Mode::Normal {
+    if app.mode().is_normal() {
         let more = words().more_is_shown(MIN_SIZE.width, MIN_SIZE.height);
         put(area.height - 1, &more);
     } else {

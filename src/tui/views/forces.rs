@@ -12,16 +12,18 @@
 //! ```
 
 use super::page;
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Pane};
 use crate::page::{Cell, Head, Line, Page, Row, Setting, Table, Units};
 use crate::quantity::Aspect;
 use crate::report::{
     Entry, Existence, Forces, GuideRow, Least, PlaneVector, effort_word, missed, upwards,
 };
+use crate::solver::Order;
 use crate::tui::app::{App, View};
 use crate::tui::figures::copying;
 use crate::tui::figures::force_figures::{ForceFigures, Formats};
 use crate::tui::figures::format::Format;
+use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 use crate::{Mechanism, Vec2};
 use ratatui::layout::Rect;
@@ -30,20 +32,8 @@ use ratatui::layout::Rect;
 pub(super) struct ForcesView;
 
 impl Pane for ForcesView {
-    fn name(&self) -> &'static str {
-        "forces"
-    }
-
     fn view(&self) -> View {
         View::Forces
-    }
-
-    fn about(&self) -> &'static str {
-        words().forces_everywhere()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_forces_view()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {
@@ -51,13 +41,9 @@ impl Pane for ForcesView {
         (!acts).then(|| words().nothing_acts_in_short())
     }
 
-    fn needs(&self) -> Need {
-        Need::Forces
-    }
-
     fn lines(&self, app: &App, area: Rect) -> Vec<Line> {
         let mut page = Page::aligned();
-        match app.open_scene().force_figures() {
+        match app.views.forces.get() {
             Some(force_figures) => {
                 for table in tables(force_figures) {
                     page.table(table);
@@ -77,7 +63,7 @@ impl Pane for ForcesView {
 
     /// Returns the error bound of the driver's effort.
     fn trust(&self, app: &App, _room: u16) -> Option<String> {
-        let drive = &app.open_scene().force_figures()?.forces().drive;
+        let drive = &app.views.forces.get()?.forces().drive;
         drive.total.value?;
         let unit = drive.aspect.unit(app.open_scene().scene().unit.symbol());
         Some(match drive.total.bound {
@@ -91,11 +77,35 @@ impl Pane for ForcesView {
     }
 
     fn copy(&self, app: &App) -> Copied {
-        let force_figures = app.open_scene().force_figures();
+        let force_figures = app.views.forces.get();
         force_figures.map_or(Copied::Nothing, |force_figures| {
             Copied::Text(copying::balanced(force_figures.forces()))
         })
     }
+}
+
+/// Computes the forces at the driver's position, with formats that fit the whole motion; `None` if
+/// no loads act.
+pub(super) fn balance(open_scene: &OpenScene) -> Option<ForceFigures> {
+    let (scene, solver) = (open_scene.scene(), open_scene.solver());
+    let forces = current(open_scene)?;
+    let mut state = solver.state();
+    let samples = open_scene.places().into_iter().filter_map(|stand| {
+        let _ = stand.solve(solver, Order::Force, &mut state);
+        Forces::new(scene, solver, &state, None)
+    });
+    Some(ForceFigures::new(forces, &samples.collect::<Vec<_>>()))
+}
+
+/// Updates the forces for another driver state.
+pub(super) fn follow(force_figures: &mut ForceFigures, open_scene: &OpenScene) {
+    force_figures.follow(current(open_scene));
+}
+
+fn current(open_scene: &OpenScene) -> Option<Forces> {
+    let (scene, solver) = (open_scene.scene(), open_scene.solver());
+    let enclosure = Some(open_scene.enclosure());
+    Forces::new(scene, solver, open_scene.state(), enclosure)
 }
 
 /// Returns the reason why there are no forces, and how to add some.

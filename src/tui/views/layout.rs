@@ -183,9 +183,14 @@ impl Composition {
         has_others
     }
 
-    /// Restores the panes if the current view is maximized; returns `false` if nothing changes.
-    pub(crate) fn restore_panes(&mut self, screen: Size) -> bool {
-        std::mem::take(&mut self.alone) && !self.layout.views(screen).is_empty()
+    /// Returns `true` if the current view is maximized and hides other panes.
+    pub(crate) fn is_alone(&self, screen: Size) -> bool {
+        self.alone && !self.layout.views(screen).is_empty()
+    }
+
+    /// Restores the panes.
+    pub(crate) fn restore_panes(&mut self) {
+        self.alone = false;
     }
 
     /// Switches to the next layout and resets all changes to the arrangement.

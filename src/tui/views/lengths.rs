@@ -6,12 +6,17 @@
 //!  r3.angle [deg]                          0.843      0.193  r4.length
 //! ```
 
-use super::pane::{Copied, Need, Pane};
-use super::{Sketch, inset, page};
+use super::pane::{Copied, Pane};
+use super::{Sketch, inset, page, split};
 use crate::page::{Content, Line, Page, Row, cut};
-use crate::report::Answers;
+use crate::quantity::{Catalogue, Quantity, Sensitivity};
+use crate::report::{Answers, ToleranceAnswers, ToleranceReport};
+use crate::scene::Scene;
+use crate::solver::Order;
+use crate::study::{Distribution, SampleOrder, ToleranceStudy};
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
+use crate::tui::player::open_scene::OpenScene;
 use crate::wording::words;
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -21,28 +26,97 @@ const ROOM_FOR_UNITS: u16 = 56;
 /// The name of a length takes at most `1 / SHARE` of the width.
 const SHARE: u16 = 3;
 
+/// Maximum number of lengths. More would delay the frame.
+const MAX_LENGTHS: usize = 200;
+/// Number of random machines for the tolerance report on one quantity.
+const MACHINES: u32 = 10_000;
+
+/// The sensitivity of the motion to the lengths, at the driver's position.
+#[derive(Debug)]
+pub(crate) struct LengthsStudy {
+    sensitivity: Sensitivity,
+    answers: Answers,
+    /// The tolerance study and its results, if the scene has tolerances.
+    tolerances: Option<(ToleranceStudy, ToleranceAnswers)>,
+    /// The effect of all tolerances on one quantity, at the coordinate where it was requested.
+    pub(crate) told: Option<ToleranceReport>,
+}
+
+impl LengthsStudy {
+    /// Studies the lengths of a scene; `None` if they are too many.
+    pub(super) fn new(open_scene: &OpenScene) -> Option<LengthsStudy> {
+        let (scene, solver) = (open_scene.scene(), open_scene.solver());
+        if has_too_many_lengths(scene) {
+            return None;
+        }
+        let figures = Catalogue::new(scene).figures();
+        let mut sensitivity = Sensitivity::new(scene, solver, &figures);
+        let of_motion = figures.into_iter().filter(|q| q.order() != Order::Force);
+        let of_motion: Vec<Quantity> = of_motion.collect();
+        let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &of_motion);
+        let at = open_scene.at();
+        Some(LengthsStudy {
+            answers: Answers::at(&mut sensitivity, scene.unit.symbol(), at).worth_reading(),
+            sensitivity,
+            tolerances: study.ok().map(|mut study| {
+                let found = ToleranceAnswers::at(scene, &mut study, at);
+                (study, found)
+            }),
+            told: None,
+        })
+    }
+
+    /// Updates the results for another driver state.
+    pub(super) fn go(&mut self, open_scene: &OpenScene) {
+        let (scene, at) = (open_scene.scene(), open_scene.at());
+        let answers = Answers::at(&mut self.sensitivity, scene.unit.symbol(), at);
+        self.answers = answers.worth_reading();
+        if let Some((study, found)) = &mut self.tolerances {
+            *found = ToleranceAnswers::at(scene, study, at);
+        }
+    }
+}
+
+/// Computes the effect of all tolerances on one quantity at the driver's position.
+///
+/// # Errors
+/// Returns a message if the tolerance study fails.
+pub(crate) fn tolerance_report(
+    open_scene: &OpenScene,
+    figure: Quantity,
+) -> Result<ToleranceReport, String> {
+    let (scene, solver) = (open_scene.scene(), open_scene.solver());
+    let study = ToleranceStudy::new(scene, solver, scene.tolerances(), &[figure]);
+    let mut study = study.map_err(|why| why.to_string())?;
+    let order = SampleOrder {
+        count: MACHINES,
+        seed: 1,
+        distribution: Distribution::default(),
+    };
+    let (at, condition) = (open_scene.at(), open_scene.condition());
+    Ok(ToleranceReport::at(
+        scene,
+        &mut study,
+        at,
+        condition,
+        Some(order),
+    ))
+}
+
+fn has_too_many_lengths(scene: &Scene) -> bool {
+    scene.mechanism.lengths().len() > MAX_LENGTHS
+}
+
 /// The lengths view: the effect of each length.
 pub(super) struct LengthsView;
 
 impl Pane for LengthsView {
-    fn name(&self) -> &'static str {
-        "lengths"
-    }
-
     fn view(&self) -> View {
         View::Lengths
     }
 
-    fn about(&self) -> &'static str {
-        words().lengths_and_figures()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_lengths_view()
-    }
-
     fn nothing(&self, app: &App) -> Option<&'static str> {
-        let too_many = app.open_scene().has_too_many_lengths();
+        let too_many = has_too_many_lengths(app.open_scene().scene());
         too_many.then(|| words().too_many_lengths())
     }
 
@@ -50,12 +124,9 @@ impl Pane for LengthsView {
         false
     }
 
-    fn needs(&self) -> Need {
-        Need::Lengths
-    }
-
     fn hints(&self, app: &App) -> &'static [Action] {
-        match app.open_scene().tolerance_answers() {
+        let study = app.views.lengths.get();
+        match study.and_then(|study| study.tolerances.as_ref()) {
             Some(_) => &[
                 Action::Help,
                 Action::Tolerance,
@@ -98,24 +169,19 @@ impl Pane for LengthsView {
 
 /// Returns the area of the rows, below a fixed head line if there is one.
 fn below(head: Option<&Line>, area: Rect) -> Rect {
-    let head = u16::from(head.is_some());
-    Rect {
-        y: area.y + head,
-        height: area.height.saturating_sub(head),
-        ..area
-    }
+    split(area, u16::from(head.is_some())).1
 }
 
 /// Returns the fixed head line of the only table, if there is one, and the rows; or a message.
 fn lines(app: &App, area: Rect) -> (Option<Line>, Vec<Line>) {
-    let Some(answers) = app.open_scene().answers() else {
+    let Some(study) = app.views.lengths.get() else {
         return (None, page::words(words().too_many_lengths(), area));
     };
-    if let Some(told) = app.open_scene().told_tolerance() {
+    if let Some(told) = &study.told {
         return (None, page::lines(app, &told.page(), area));
     }
-    let mut page = Page::default();
-    if let Some(off) = app.open_scene().tolerance_answers() {
+    let (mut page, answers) = (Page::default(), &study.answers);
+    if let Some((_, off)) = &study.tolerances {
         page.table(off.table());
     }
     page.add(content(answers, area));

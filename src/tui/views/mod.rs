@@ -16,7 +16,7 @@ mod compact;
 pub(crate) mod forces;
 pub(crate) mod help;
 pub(crate) mod layout;
-mod lengths;
+pub(crate) mod lengths;
 pub(crate) mod motion;
 pub(crate) mod motor;
 pub(crate) mod offer;
@@ -28,6 +28,7 @@ pub(crate) mod plots;
 mod popup;
 mod question;
 mod scene;
+pub(crate) mod state;
 mod status;
 mod table;
 mod tables;
@@ -58,7 +59,7 @@ const MIN_SIZE: Size = Size::new(40, 12);
 const MIN_VALUE: Size = Size::new(20, 6);
 
 pub(crate) use motion::{SeenPlace, Sketch};
-pub(crate) use pane::{Copied, Listing, Need, Pane, PaneSpot};
+pub(crate) use pane::{Copied, Listing, Pane, PaneSpot};
 
 impl View {
     /// Returns the pane that shows this view.
@@ -177,8 +178,8 @@ fn render_panes(app: &App, sketch: &Sketch, buffer: &mut Buffer) {
         let heading = |room| pane.heading(app, room);
         match app.mode() {
             // The list of assemblies takes the second pane's place, next to the drawing.
-            Mode::Assemblies(cursor) if n == 1 => {
-                assemblies::render(app, *cursor, inset(area), buffer);
+            Mode::Assemblies(list) if n == 1 => {
+                assemblies::render(app, list, inset(area), buffer);
                 if let Some(title) = title {
                     let heading = |_| (words().assemblies().to_owned(), String::new());
                     title::over_pane(app, true, heading, title, buffer);
@@ -386,6 +387,58 @@ fn first_seen(scroll: usize, lines: usize, area: Rect, buffer: &mut Buffer) -> u
     first
 }
 
+/// Returns the first visible row of a list, such that the cursor is in the middle if possible.
+fn first_row(cursor: usize, count: usize, height: usize) -> usize {
+    let most = count.saturating_sub(height);
+    cursor.saturating_sub(height / 2).min(most)
+}
+
+/// Yields the index and the line of each visible row of a list, and draws its scroll marks.
+fn list_rows(
+    cursor: usize,
+    count: usize,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> impl Iterator<Item = (usize, Rect)> + use<> {
+    let first = first_row(cursor, count, area.height.into());
+    let first = first_seen(first, count, area, buffer);
+    (first..count).zip(area.rows())
+}
+
+/// Splits an area into its first `height` lines and the rest.
+fn split(area: Rect, height: u16) -> (Rect, Rect) {
+    let height = height.min(area.height);
+    let below = Rect {
+        y: area.y + height,
+        height: area.height - height,
+        ..area
+    };
+    (Rect { height, ..area }, below)
+}
+
+/// Places a chart next to a list of the first width that leaves it `least` columns, or else above
+/// the list in `rows` lines. Returns the areas of both.
+fn chart_and_list(area: Rect, widths: &[u16], least: u16, rows: u16) -> (Rect, Rect) {
+    let left = |width: &u16| area.width.checked_sub(width + 1 + MARGIN);
+    let mut left = widths.iter().filter_map(left);
+    let (chart, list) = match left.find(|width| *width >= least) {
+        Some(width) => split_columns(area, width),
+        None => split(area, rows),
+    };
+    (chart, inset(list))
+}
+
+/// Splits an area into its first `width` columns and the rest.
+fn split_columns(area: Rect, width: u16) -> (Rect, Rect) {
+    let width = width.min(area.width);
+    let behind = Rect {
+        x: area.x + width,
+        width: area.width - width,
+        ..area
+    };
+    (Rect { width, ..area }, behind)
+}
+
 fn row(area: Rect, y: u16) -> Rect {
     Rect {
         y: area.y + y,
@@ -421,6 +474,11 @@ fn print(buffer: &mut Buffer, x: u16, y: u16, width: u16, text: &str, style: Sty
         next = x + 1;
     }
     next
+}
+
+/// Prints text in the first line of an area, as far as it fits.
+fn print_line(buffer: &mut Buffer, area: Rect, text: &str, part: ScreenPart) {
+    print(buffer, area.x, area.y, area.width, text, theme::part(part));
 }
 
 /// Prints text that ends before column `right`.

@@ -31,8 +31,8 @@ pub(super) fn words(text: &str, area: Rect) -> Vec<Line> {
 
 /// Renders lines with the view's scroll offset, and marks the current search hit.
 pub(super) fn render(app: &App, view: View, lines: &[Line], area: Rect, buffer: &mut Buffer) {
-    let first = first_seen(app.scroll(view), lines.len(), area, buffer);
-    let found = app.found(view);
+    let first = first_seen(app.views.scroll[view as usize], lines.len(), area, buffer);
+    let found = app.views.found.as_ref().filter(|_| view == app.view());
     for (y, (n, line)) in (area.top()..area.bottom()).zip(lines.iter().enumerate().skip(first)) {
         let is_found = found.is_some_and(|found| found.line == n && found.is_in(&line.text()));
         if is_found && area.x > 0 {

@@ -1,10 +1,10 @@
 //! The interface of a view: all that the rest of the workbench knows about it.
 //!
-//! A view reads the workbench and changes nothing. [`Need`] declares the results that it requires,
-//! and [`Listing`] the kind of its lines; the workbench does the rest. A view is drawn in a given
-//! area and knows only the size of that area; [`super::layout`] alone selects and places the views.
-//! A new view is a file with an `impl Pane`, a row in `View::pane`, its name in `View`, and its key
-//! in the table of actions.
+//! A view reads the workbench and changes nothing while it is drawn. Its results are kept in
+//! [`super::state::ViewStates`], which computes them only while the view is visible. [`Listing`]
+//! declares the kind of its lines. A view is drawn in a given area and knows only the size of that
+//! area; [`super::layout`] alone selects and places the views. ARCHITECTURE.md lists the steps to add
+//! a view.
 
 use super::{Sketch, inset, page};
 use crate::page::{Line, Page};
@@ -18,15 +18,6 @@ use ratatui::layout::{Position, Rect};
 
 /// A view.
 pub(crate) trait Pane {
-    /// Returns its one-word name, as used in the status line and on the command line.
-    fn name(&self) -> &'static str;
-
-    /// Returns its description in the help of the command line.
-    fn about(&self) -> &'static str;
-
-    /// Returns the title above its own keys in the help.
-    fn help_title(&self) -> &'static str;
-
     /// Returns the view itself, by which scroll offsets are stored.
     fn view(&self) -> View;
 
@@ -39,11 +30,6 @@ pub(crate) trait Pane {
     fn heading(&self, _app: &App, _room: u16) -> (String, String) {
         let name = (entry_of(Action::Look(self.view())).hint)(words());
         (name.into(), String::new())
-    }
-
-    /// Returns the results that must be computed while it is shown.
-    fn needs(&self) -> Need {
-        Need::Nothing
     }
 
     /// Returns the kind of its lines.
@@ -153,27 +139,6 @@ pub(crate) trait Pane {
     fn file_part(&self) -> Option<&'static str> {
         None
     }
-}
-
-/// The results that a view requires.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Need {
-    /// Only the state, as everywhere.
-    Nothing,
-    /// The sensitivities to the given lengths.
-    Lengths,
-    /// The driver's effort, and the reactions of joints and guides.
-    Forces,
-    /// The working: the derivation of the values.
-    Working,
-    /// The values of the scene.
-    Values,
-    /// The accuracy study, computed in slices.
-    Study,
-    /// Values over the motion.
-    Curves,
-    /// The motor's duty over a cycle.
-    Motor,
 }
 
 /// The kind of a view's lines.

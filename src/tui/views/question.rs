@@ -10,7 +10,7 @@
 //! ```
 
 use super::popup::{self, BORDER};
-use super::{columns, cut, print};
+use super::{columns, cut, print, print_line};
 use crate::page::wrapped;
 use crate::tui::app::{App, Mode, Unsaved};
 use crate::tui::appearance::theme::{self, ScreenPart};
@@ -113,15 +113,8 @@ pub(super) fn render(app: &App, title: &str, area: Rect, buffer: &mut Buffer) {
     popup::frame(app.glyphs(), place, title, buffer);
     let inner = popup::within(place);
     let last = inner.bottom().saturating_sub(1);
-    for (y, line) in (inner.top()..last).zip(&lines) {
-        print(
-            buffer,
-            inner.x,
-            y,
-            inner.width,
-            line,
-            theme::part(ScreenPart::Text),
-        );
+    for (row, line) in inner.rows().take_while(|row| row.y < last).zip(&lines) {
+        print_line(buffer, row, line, ScreenPart::Text);
     }
     let mut x = inner.x;
     for (key, name) in &asked.keys {

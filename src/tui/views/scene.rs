@@ -9,8 +9,11 @@
 //! ```
 
 use super::motion::rule;
-use super::pane::{Copied, Listing, Need, Pane, PaneSpot};
-use super::{Sketch, columns, cut, inset, mark_more, print, print_right, show};
+use super::pane::{Copied, Listing, Pane, PaneSpot};
+use super::{
+    Sketch, columns, cut, first_row, inset, list_rows, print, print_right, show, split,
+    split_columns,
+};
 use crate::quantity::Subject;
 use crate::scene::{Value, figure};
 use crate::tui::app::{App, Mode, View};
@@ -50,14 +53,10 @@ fn arrange(app: &App, body: Rect) -> SceneAreas {
     let has_drawing = app.standing().contains(&View::Motion);
     match body.width.checked_sub(list + 1).filter(|_| !has_drawing) {
         Some(width) if width >= MIN_DRAWING_WIDTH => {
-            let part = |x, width| Rect {
-                x: body.x + x,
-                width,
-                ..body
-            };
+            let (list, beside) = split_columns(body, list);
             SceneAreas {
-                list: inset(part(0, list)),
-                beside: Some((part(list, 1), part(list + 1, width))),
+                list: inset(list),
+                beside: Some(split_columns(beside, 1)),
             }
         }
         Some(_) | None => SceneAreas {
@@ -67,18 +66,11 @@ fn arrange(app: &App, body: Rect) -> SceneAreas {
     }
 }
 
-/// Returns the area of the values, the first visible value, and the maximum of that value. The
-/// cursor is centred if possible.
-fn rows(editor: &Editor, list: Rect) -> (Rect, usize, usize) {
-    let rows = Rect {
-        y: list.y + HEAD,
-        height: list.height.saturating_sub(HEAD),
-        ..list
-    };
-    let height = usize::from(rows.height);
-    let most = editor.values().len().saturating_sub(height);
-    let first = editor.cursor().saturating_sub(height / 2).min(most);
-    (rows, first, most)
+/// Returns the area of the values and the first visible value.
+fn rows(editor: &Editor, list: Rect) -> (Rect, usize) {
+    let rows = split(list, HEAD).1;
+    let first = first_row(editor.cursor(), editor.values().len(), rows.height.into());
+    (rows, first)
 }
 
 /// Widths of the columns: those of the longest entries, so that columns keep their places while
@@ -95,24 +87,8 @@ struct ColumnWidths {
 pub(super) struct SceneView;
 
 impl Pane for SceneView {
-    fn name(&self) -> &'static str {
-        "scene"
-    }
-
     fn view(&self) -> View {
         View::Scene
-    }
-
-    fn about(&self) -> &'static str {
-        words().what_the_scene_gives()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_scene_view()
-    }
-
-    fn needs(&self) -> Need {
-        Need::Values
     }
 
     fn list(&self) -> Listing {
@@ -134,31 +110,19 @@ impl Pane for SceneView {
         let editor = app.editor();
         let columns = ColumnWidths::of(editor);
         columns.head(editor, list, buffer);
-        let (rows, first, most) = rows(editor, list);
-        mark_more(rows, first > 0, first < most, buffer);
-        let seen = editor.values().iter().enumerate().skip(first);
-        for (y, (number, value)) in (rows.top()..rows.bottom()).zip(seen) {
-            let row = Rect {
-                y,
-                height: 1,
-                ..rows
-            };
+        let (rows, _) = rows(editor, list);
+        let (values, cursor) = (editor.values(), editor.cursor());
+        for (number, row) in list_rows(cursor, values.len(), rows, buffer) {
+            let value = &values[number];
             // The name of an element is emphasized only in the first row of its values.
-            let before = number.checked_sub(1).filter(|_| y > rows.top());
-            let before = before.and_then(|before| editor.values().get(before));
-            let goes_on = before.is_some_and(|before| part_of(before) == part_of(value));
-            columns.row(app, value, number == editor.cursor(), row, buffer);
-            if goes_on && number != editor.cursor() {
+            let before = number.checked_sub(1).filter(|_| row.y > rows.y);
+            let goes_on = before.is_some_and(|before| part_of(&values[before]) == part_of(value));
+            columns.row(app, value, number == cursor, row, buffer);
+            if goes_on && number != cursor {
+                let name = split_columns(row, CURSOR).1;
                 let part = columns_of_part(value).min(columns.name);
-                let area = Rect {
-                    x: row.x + CURSOR,
-                    width: part,
-                    ..row
-                };
-                buffer.set_style(
-                    area,
-                    theme::part(ScreenPart::Quiet).remove_modifier(Modifier::BOLD),
-                );
+                let style = theme::part(ScreenPart::Quiet).remove_modifier(Modifier::BOLD);
+                buffer.set_style(split_columns(name, part).0, style);
             }
         }
     }
@@ -168,7 +132,7 @@ impl Pane for SceneView {
     }
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
-        let (rows, first, _) = rows(app.editor(), arrange(app, body).list);
+        let (rows, first) = rows(app.editor(), arrange(app, body).list);
         let row = first + usize::from(at.y.checked_sub(rows.y)?);
         let is_there = rows.contains(at) && row < app.editor().values().len();
         is_there.then_some(PaneSpot::Value(row))

@@ -1,6 +1,6 @@
 //! Renders the live tables of the motion view.
 
-use super::{cut, mark_more, page, print};
+use super::{cut, first_seen, page, print, split};
 use crate::capability::Colours;
 use crate::page::{Line, Span, Unsure};
 use crate::tui::app::{App, View};
@@ -17,9 +17,8 @@ pub(super) fn render(app: &App, area: Rect, buffer: &mut Buffer) {
     let area = below_title(app, area);
     let placed = placed(app, area);
     let lines = placed.lines();
-    let most = lines.len().saturating_sub(area.height.into());
-    let scroll = app.scroll(View::Motion).min(most);
-    mark_more(area, scroll > 0, scroll < most, buffer);
+    let scroll = app.views.scroll[View::Motion as usize];
+    let scroll = first_seen(scroll, lines.len(), area, buffer);
     for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(scroll)) {
         render_line(app, &placed, line, Rect { y, ..area }, buffer);
     }
@@ -47,12 +46,7 @@ pub(super) fn title(app: &App, area: Rect, buffer: &mut Buffer) {
 
 /// Returns the area below the tables' title, if they have one.
 pub(super) fn below_title(app: &App, area: Rect) -> Rect {
-    let title = title_lines(app);
-    Rect {
-        y: area.y + title,
-        height: area.height.saturating_sub(title),
-        ..area
-    }
+    split(area, title_lines(app)).1
 }
 
 /// Returns the height of the tables' title.
@@ -98,11 +92,7 @@ fn tint(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
     };
     if let (Some(role), Some(name)) = (app.open_scene().vector_role(row), shown.spans.first()) {
         let width = columns_of(name.text.chars().count()).min(area.width);
-        let name = Rect {
-            width,
-            height: 1,
-            ..area
-        };
+        let name = Rect::new(area.x, area.y, width, 1);
         buffer.set_style(name.intersection(buffer.area), theme::role(role.of_name()));
     }
 }

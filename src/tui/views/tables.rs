@@ -29,20 +29,8 @@ use ratatui::layout::{Position, Rect};
 pub(super) struct TablesView;
 
 impl Pane for TablesView {
-    fn name(&self) -> &'static str {
-        "tables"
-    }
-
     fn view(&self) -> View {
         View::Tables
-    }
-
-    fn about(&self) -> &'static str {
-        words().tables_all()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_tables()
     }
 
     fn list(&self) -> Listing {
@@ -54,7 +42,12 @@ impl Pane for TablesView {
         let body = table::below_title(app, place(body));
         let placed = table::placed(app, body);
         let lines = placed.lines();
-        let first = first_seen(app.scroll(self.view()), lines.len(), body, buffer);
+        let first = first_seen(
+            app.views.scroll[self.view() as usize],
+            lines.len(),
+            body,
+            buffer,
+        );
         let seen = seen(&lines, first, body.height.into());
         for (y, at) in (body.top()..body.bottom()).zip(seen) {
             let body = Rect { y, ..body };
@@ -69,7 +62,7 @@ impl Pane for TablesView {
     }
 
     fn subject(&self, app: &App) -> Option<Subject> {
-        let cursor = app.cursor();
+        let cursor = app.views.cursor;
         subject_of(app.open_scene().scene(), cursor.part, cursor.row)
     }
 
@@ -77,7 +70,7 @@ impl Pane for TablesView {
         let area = table::below_title(app, place(body));
         let lines = table::placed(app, area).lines();
         let most = lines.len().saturating_sub(area.height.into());
-        let first = app.scroll(self.view()).min(most);
+        let first = app.views.scroll[self.view() as usize].min(most);
         let seen = seen(&lines, first, area.height.into());
         let line = seen.get(usize::from(at.y.checked_sub(area.y)?))?;
         match lines.get(*line)? {
@@ -104,7 +97,7 @@ impl Pane for TablesView {
 
     /// Returns the error bound of the selected value.
     fn trust(&self, app: &App, _room: u16) -> Option<String> {
-        let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.cursor());
+        let (sheet, tables, cursor) = (app.sheet(), app.tables(), app.views.cursor);
         let entries = sheet.entries(tables, cursor.part, cursor.row);
         let entry = entries.get(cursor.column).copied().flatten()?;
         let unit = sheet.unit(cursor.part, cursor.column)?;
@@ -145,14 +138,14 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
         let points = followed::moving(app.open_scene().scene(), *part, *row);
         points
             .iter()
-            .any(|(point, _)| app.followed().contains(*point))
+            .any(|(point, _)| app.views.followed.contains(*point))
     };
     let key = theme::part(ScreenPart::Key);
     if chosen {
         print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
     }
     // If keys go to another view, this one has no cursor.
-    let cursor = (app.view() == View::Tables).then(|| app.cursor());
+    let cursor = (app.view() == View::Tables).then(|| app.views.cursor);
     let Some(cell) = cursor.and_then(|cursor| cursor.cell_of(line)) else {
         return;
     };

@@ -141,7 +141,7 @@ fn against(app: &App) -> String {
 fn settings(app: &App) -> Vec<String> {
     let (open_scene, playback) = (app.open_scene(), app.playback());
     let step = coordinate(app.steps().size(), 0);
-    let mut settings: Vec<String> = app.viewport().lens.enlarged().into_iter().collect();
+    let mut settings: Vec<String> = app.views.viewport.lens.enlarged().into_iter().collect();
     let (seconds, backwards) = (playback.seconds(), playback.is_backwards());
     settings.extend([
         words().step_of(&step, open_scene.unit()),

@@ -7,7 +7,7 @@
 //! ```
 
 use super::page;
-use super::pane::{Copied, Need, Pane};
+use super::pane::{Copied, Pane};
 use crate::page::{Line, Page};
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
@@ -19,20 +19,8 @@ use ratatui::layout::Rect;
 pub(super) struct WorkingView;
 
 impl Pane for WorkingView {
-    fn name(&self) -> &'static str {
-        "working"
-    }
-
     fn view(&self) -> View {
         View::Working
-    }
-
-    fn about(&self) -> &'static str {
-        words().working_line_by_line()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_working()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {
@@ -40,12 +28,8 @@ impl Pane for WorkingView {
         too_many.then(|| words().too_many_links())
     }
 
-    fn needs(&self) -> Need {
-        Need::Working
-    }
-
     fn lines(&self, app: &App, area: Rect) -> Vec<Line> {
-        match app.open_scene().explained() {
+        match app.views.working.get() {
             Some(explained) => page::lines(app, explained.page(), area),
             None => page::words(words().too_many_links(), area),
         }
@@ -69,7 +53,7 @@ impl Pane for WorkingView {
     }
 
     fn page<'a>(&self, app: &'a App) -> Option<(&'static str, &'a Page)> {
-        let explained = app.open_scene().explained()?;
+        let explained = app.views.working.get()?;
         Some((words().the_working(), explained.page()))
     }
 }

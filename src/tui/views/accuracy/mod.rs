@@ -9,14 +9,16 @@
 
 pub(crate) mod study_run;
 
-use super::pane::{Copied, Need, Pane};
-use super::{MARGIN, Sketch, inset, page, show};
+use super::pane::{Copied, Pane};
+use super::{MARGIN, Sketch, chart_and_list, inset, page, show};
 use crate::drawing::{convergence, trade_off};
 use crate::page::{Line, Page};
-use crate::report::{Accuracy, StudyMeasure};
+use crate::report::{Accuracy, PositionMethod, StudyMeasure};
 use crate::study::Findings;
 use crate::tui::app::{App, View};
 use crate::tui::commands::action::Action;
+use crate::tui::player::live::LiveResult;
+use crate::tui::player::open_scene::OpenScene;
 use crate::tui::player::watched_method::WatchedMethod;
 use crate::tui::views::accuracy::study_run::Phase;
 use crate::wording::words;
@@ -31,47 +33,11 @@ const MIN_CHART: u16 = 34;
 /// Minimum and maximum height of a chart above the list, which takes half of the area.
 const ROWS_ABOVE: (u16, u16) = (7, 18);
 
-/// The areas of the chart and of the list.
-struct AccuracyAreas {
-    chart: Rect,
-    list: Rect,
-}
-
-fn arrange(area: Rect) -> AccuracyAreas {
-    let sides = 1 + MARGIN;
-    let beside = |list: u16| {
-        area.width
-            .checked_sub(list + sides)
-            .filter(|&w| w >= MIN_CHART)
-    };
-    let both = |width: u16| AccuracyAreas {
-        chart: Rect { width, ..area },
-        list: inset(Rect {
-            x: area.x + width,
-            width: area.width - width,
-            ..area
-        }),
-    };
-    if let Some(width) = beside(WIDE).or(beside(NARROW)) {
-        return both(width);
-    }
+/// Returns the areas of the chart and of the list.
+fn arrange(area: Rect) -> (Rect, Rect) {
     let (least, most) = ROWS_ABOVE;
-    let height = (area.height / 2).clamp(least, most).min(area.height);
-    AccuracyAreas {
-        chart: Rect { height, ..area },
-        list: inset(Rect {
-            y: area.y + height,
-            height: area.height - height,
-            ..area
-        }),
-    }
-}
-
-/// The areas of a watched method: its errors and its table of iterations.
-struct MethodAreas {
-    /// The convergence chart; `None` if there are no errors to plot or the screen is too small.
-    chart: Option<Rect>,
-    list: Rect,
+    let rows = (area.height / 2).clamp(least, most);
+    chart_and_list(area, &[WIDE, NARROW], MIN_CHART, rows)
 }
 
 /// Width of the table of iterations. The chart is next to it on a wide screen and above it on a
@@ -80,37 +46,60 @@ const ITERATIONS: u16 = 80;
 const MIN_HEIGHT: u16 = 18;
 const CHART_ROWS: u16 = 8;
 
-fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
-    let whole = MethodAreas {
-        chart: None,
-        list: inset(area),
-    };
-    if watched.curves().is_empty() {
-        return whole;
+/// Returns the areas of a watched method: its convergence chart, if there are errors to plot and the
+/// screen is large enough, and its table of iterations.
+fn beside_method(watched: &WatchedMethod, area: Rect) -> (Option<Rect>, Rect) {
+    let is_wide = area.width >= ITERATIONS + 1 + MARGIN + MIN_CHART;
+    if watched.curves().is_empty() || !(is_wide || area.height >= MIN_HEIGHT) {
+        return (None, inset(area));
     }
-    let beside = area.width.checked_sub(ITERATIONS + 1 + MARGIN);
-    if let Some(width) = beside.filter(|&width| width >= MIN_CHART) {
-        let (x, rest) = (area.x + width, area.width - width);
-        let list = inset(Rect {
-            x,
-            width: rest,
-            ..area
-        });
-        let chart = Some(Rect { width, ..area });
-        return MethodAreas { chart, list };
+    let rows = CHART_ROWS.max(area.height / 3);
+    let (chart, list) = chart_and_list(area, &[ITERATIONS], MIN_CHART, rows);
+    (Some(chart), list)
+}
+
+/// The method whose iterations replace the study's display, if any.
+#[derive(Debug, Default)]
+pub(crate) struct MethodWatch {
+    pub(crate) method: Option<PositionMethod>,
+    /// The initial guess, as typed.
+    pub(crate) guess: String,
+    result: LiveResult<WatchedMethod>,
+}
+
+impl MethodWatch {
+    /// Watches a method from its default guess, or none.
+    pub(crate) fn select(&mut self, method: Option<PositionMethod>) {
+        *self = MethodWatch {
+            method,
+            ..MethodWatch::default()
+        };
     }
-    if area.height < MIN_HEIGHT {
-        return whole;
+
+    /// Sets the initial guess.
+    ///
+    /// # Errors
+    /// Returns a message if the guess is invalid for this scene; the previous one then stays.
+    pub(crate) fn begin_at(&mut self, guess: &str, open_scene: &OpenScene) -> Result<(), String> {
+        if let Some(watched) = self.result.get_mut() {
+            watched.begin_at(guess, open_scene)?;
+        }
+        guess.clone_into(&mut self.guess);
+        Ok(())
     }
-    let height = CHART_ROWS.max(area.height / 3);
-    let (y, rest) = (area.y + height, area.height - height);
-    MethodAreas {
-        chart: Some(Rect { height, ..area }),
-        list: inset(Rect {
-            y,
-            height: rest,
-            ..area
-        }),
+
+    /// Runs the method at the driver's position while the view is visible.
+    pub(super) fn refresh(&mut self, is_visible: bool, open_scene: &OpenScene) {
+        let guess = &self.guess;
+        let method = self.method.filter(|_| is_visible);
+        let watch = |open_scene: &OpenScene| WatchedMethod::new((method?, guess), open_scene);
+        let result = &mut self.result;
+        result.refresh(method.is_some(), open_scene, watch, WatchedMethod::go);
+    }
+
+    /// Returns the iterations, if the scene is not too large.
+    pub(crate) fn watched(&self) -> Option<&WatchedMethod> {
+        self.result.get()
     }
 }
 
@@ -118,44 +107,25 @@ fn beside_method(watched: &WatchedMethod, area: Rect) -> MethodAreas {
 pub(super) struct AccuracyView;
 
 impl Pane for AccuracyView {
-    fn name(&self) -> &'static str {
-        "accuracy"
-    }
-
     fn view(&self) -> View {
         View::Accuracy
     }
 
-    fn about(&self) -> &'static str {
-        words().accuracy_of_methods()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_accuracy_view()
-    }
-
-    fn needs(&self) -> Need {
-        Need::Study
-    }
-
     fn nothing(&self, app: &App) -> Option<&'static str> {
-        let is_missing = app.is_watching() && app.open_scene().watched().is_none();
+        let is_missing = app.is_watching() && app.views.method.watched().is_none();
         is_missing.then(|| words().too_many_links())
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        match (app.open_scene().watched(), app.study_run().findings()) {
+        match (app.views.method.watched(), app.views.study_run.findings()) {
             (Some(watched), _) => {
-                if let Some(area) = beside_method(watched, body).chart {
+                if let Some(area) = beside_method(watched, body).0 {
                     let chart = convergence(watched.curves());
-                    show(
-                        &chart.render(area.width, area.height, app.glyphs()),
-                        area,
-                        buffer,
-                    );
+                    let raster = chart.render(area.width, area.height, app.glyphs());
+                    show(&raster, area, buffer);
                 }
             }
-            (None, Some(findings)) => render_chart(app, findings, arrange(body).chart, buffer),
+            (None, Some(findings)) => render_chart(app, findings, arrange(body).0, buffer),
             (None, None) => return,
         }
         let (lines, list) = self.listed(app, body);
@@ -163,12 +133,12 @@ impl Pane for AccuracyView {
     }
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
-        if let Some(watched) = app.open_scene().watched() {
-            let list = beside_method(watched, body).list;
+        if let Some(watched) = app.views.method.watched() {
+            let list = beside_method(watched, body).1;
             return (page::lines(app, watched.page(), list), list);
         }
-        let list = arrange(body).list;
-        let findings = app.study_run().findings();
+        let list = arrange(body).1;
+        let findings = app.views.study_run.findings();
         let lines = findings.map_or_else(Vec::new, |findings| lines(app, findings, list));
         (lines, list)
     }
@@ -189,7 +159,7 @@ impl Pane for AccuracyView {
                 Action::Quit,
             ];
         }
-        match app.study_run().phase() {
+        match app.views.study_run.phase() {
             Phase::Running => &[
                 Action::Help,
                 Action::Back,
@@ -210,11 +180,11 @@ impl Pane for AccuracyView {
     }
 
     fn progress(&self, app: &App) -> Option<String> {
-        if let Some(watched) = app.open_scene().watched() {
+        if let Some(watched) = app.views.method.watched() {
             return Some(watched.method().title().into());
         }
-        let percent = (app.study_run().progress() * 100.0).floor();
-        match app.study_run().phase() {
+        let percent = (app.views.study_run.progress() * 100.0).floor();
+        match app.views.study_run.phase() {
             Phase::Idle => None,
             Phase::Running => Some(words().measuring(&format!("{percent:>2}"))),
             Phase::Stopped => Some(words().stopped_at(&percent)),

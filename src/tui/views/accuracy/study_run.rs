@@ -53,13 +53,11 @@ impl StudyRun {
         self.phase = Phase::Running;
     }
 
-    /// Stops the study; returns `true` if it was running.
-    pub(crate) fn stop(&mut self) -> bool {
-        let was_running = self.phase == Phase::Running;
-        if was_running {
+    /// Stops a running study.
+    pub(crate) fn stop(&mut self) {
+        if self.phase == Phase::Running {
             self.phase = Phase::Stopped;
         }
-        was_running
     }
 
     /// Discards the study and its findings, because another scene is open.

@@ -8,7 +8,8 @@ use crate::synthesis::{
     Candidate, Partner, PosedDyad, SceneTitles, Synthesis, SynthesisSettings, scene_text,
 };
 use crate::tui::TaskOrder;
-use crate::tui::document::search_progress::SearchProgress;
+use crate::tui::commands::list::moved;
+use crate::tui::document::job::{BackgroundJob, JobProgress};
 use crate::{Vec2, angle, parallel};
 use std::sync::Arc;
 use std::time::Duration;
@@ -18,26 +19,6 @@ use std::time::Duration;
 const STRETCH: f64 = 0.8;
 const MIN_TRAVEL_TIME: f64 = 1.6;
 const MAX_TRAVEL_TIME: f64 = 6.0;
-
-/// A search, shared by the thread that searches and the one that shows its progress.
-#[derive(Debug, Default)]
-pub(crate) struct TaskSearch {
-    progress: SearchProgress,
-}
-
-impl TaskSearch {
-    /// Searches for linkages, which may take long.
-    pub(crate) fn run(&self, order: &TaskOrder) -> FoundCandidates {
-        let threads = parallel::cores();
-        let how = SynthesisSettings {
-            seed: order.seed,
-            threads,
-        };
-        let tell = &mut |part| self.progress.tell(part);
-        let synthesis = Synthesis::run(&order.file.task, how, tell);
-        FoundCandidates::of(order, synthesis)
-    }
-}
 
 /// The page of the candidates' view.
 #[derive(Debug, Default)]
@@ -68,6 +49,16 @@ pub(crate) struct FoundCandidates {
 }
 
 impl FoundCandidates {
+    /// Searches for linkages, which may take long.
+    pub(crate) fn search(order: &TaskOrder, progress: &JobProgress) -> FoundCandidates {
+        let how = SynthesisSettings {
+            seed: order.seed,
+            threads: parallel::cores(),
+        };
+        let tell = &mut |part| progress.report(part);
+        FoundCandidates::of(order, Synthesis::run(&order.file.task, how, tell))
+    }
+
     fn of(order: &TaskOrder, synthesis: Synthesis) -> FoundCandidates {
         let curve = |place: fn(&PosedDyad) -> Option<Vec2>| {
             let pieces = synthesis.curves.iter();
@@ -119,8 +110,7 @@ fn report_of<'a>(found: &'a Synthesis, order: &'a TaskOrder) -> SynthesisReport<
 #[derive(Debug)]
 pub(crate) struct CandidateList {
     pub(super) order: TaskOrder,
-    search: Arc<TaskSearch>,
-    pub(super) found: Option<FoundCandidates>,
+    pub(crate) job: BackgroundJob<FoundCandidates>,
     /// Index of the selected candidate; defective ones follow the others.
     pub(super) cursor: usize,
     pub(super) page: CandidatesPage,
@@ -132,12 +122,11 @@ pub(crate) struct CandidateList {
 }
 
 impl CandidateList {
-    /// Creates the list of a task that has not been searched yet.
-    pub(crate) fn new(order: TaskOrder) -> CandidateList {
+    /// Creates the list of a task whose search has just started.
+    pub(crate) fn new(order: TaskOrder, job: BackgroundJob<FoundCandidates>) -> CandidateList {
         CandidateList {
             order,
-            search: Arc::default(),
-            found: None,
+            job,
             cursor: 0,
             page: CandidatesPage::default(),
             way: WayPlayed::default(),
@@ -150,63 +139,52 @@ impl CandidateList {
         &self.order
     }
 
-    pub(crate) fn search(&self) -> &Arc<TaskSearch> {
-        &self.search
-    }
-
-    /// Stores the results of the completed search.
-    pub(crate) fn take(&mut self, found: FoundCandidates) {
-        self.found = Some(found);
+    pub(super) fn found(&self) -> Option<&FoundCandidates> {
+        self.job.result.as_ref()
     }
 
     /// Writes all texts again after a change of the language.
     pub(crate) fn say_again(&mut self) {
-        if let Some(found) = &mut self.found {
+        if let Some(found) = &mut self.job.result {
             found.say(&self.order);
         }
     }
 
-    /// Cancels the search, because its results are no longer needed.
-    pub(crate) fn leave(&self) {
-        self.search.progress.leave();
-    }
-
     /// Returns the search's progress in percent; `None` if it is complete.
     pub(crate) fn percent(&self) -> Option<u32> {
-        let progress = &self.search.progress;
-        self.found.is_none().then(|| progress.percent())
+        self.job.percent()
     }
 
     /// Returns the numbers of candidates that do the task and of defective ones.
     pub(crate) fn count(&self) -> (usize, usize) {
-        let found = self.found.as_ref().map(|found| &found.synthesis);
+        let found = self.found().map(|found| &found.synthesis);
         found.map_or((0, 0), |found| (found.good.len(), found.defective.len()))
     }
 
     /// Returns the rows; defective candidates follow the others.
     pub(crate) fn rows(&self) -> &[CandidateRow] {
-        self.found.as_ref().map_or(&[], |found| &found.rows)
+        self.found().map_or(&[], |found| &found.rows)
     }
 
     /// Returns the sentence that says how many linkages were found and whether there may be others.
     pub(crate) fn verdict(&self) -> &str {
-        self.found.as_ref().map_or("", |found| &found.verdict)
+        self.found().map_or("", |found| &found.verdict)
     }
 
     /// Returns the reason why no linkage does the task.
     pub(crate) fn nothing(&self) -> &str {
-        self.found.as_ref().map_or("", |found| &found.nothing)
+        self.found().map_or("", |found| &found.nothing)
     }
 
     /// Returns the unit of the miss.
     pub(crate) fn miss_unit(&self) -> &'static str {
-        self.found.as_ref().map_or("", |found| found.miss_unit)
+        self.found().map_or("", |found| found.miss_unit)
     }
 
     /// Yields the curves of possible pivots of four poses and, while the motion is at its first
     /// point, those of the pins.
     pub(crate) fn curves(&self) -> impl Iterator<Item = &Arc<[Vec2]>> {
-        let found = self.found.iter();
+        let found = self.found().into_iter();
         let at_first = self.way.place == 0.0;
         found.flat_map(move |found| {
             let pins = found.pins.iter().filter(move |_| at_first);
@@ -221,8 +199,7 @@ impl CandidateList {
     /// Moves the cursor by `rows` candidates within the list. A newly selected candidate starts at
     /// its first point.
     pub(crate) fn move_by(&mut self, rows: isize) {
-        let most = self.rows().len().saturating_sub(1);
-        let cursor = self.cursor.saturating_add_signed(rows).min(most);
+        let cursor = moved(self.cursor, rows, self.rows().len());
         if cursor != self.cursor {
             self.cursor = cursor;
             self.change_drawing();
@@ -245,7 +222,7 @@ impl CandidateList {
         if let CandidatesPage::Curves(walk) = &self.page {
             return walk.linkage();
         }
-        let found = self.found.as_ref()?;
+        let found = self.found()?;
         let Synthesis {
             good, defective, ..
         } = &found.synthesis;
@@ -256,7 +233,7 @@ impl CandidateList {
     /// Returns the text and the name of a scene of the candidate under the cursor; `None` if it
     /// does not do the task.
     pub(crate) fn scene(&self) -> Option<(String, String)> {
-        let found = self.found.as_ref()?;
+        let found = self.found()?;
         let candidate = found.synthesis.good.get(self.cursor)?;
         let report = found.report(&self.order);
         let number = self.cursor + 1;

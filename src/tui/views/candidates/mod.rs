@@ -16,8 +16,8 @@ pub(crate) mod list;
 mod shown;
 pub(crate) mod walk;
 
-use super::picker::{PickerAreas, arrange, first_and_most, heading, paragraph, split};
-use super::{columns, cut, mark_more, middle, print, print_right, row};
+use super::picker::{PickerAreas, arrange, paragraph};
+use super::{columns, cut, list_rows, middle, print, print_line, print_right, row, split};
 use crate::drawing::{self, Layers, Shape};
 use crate::page::wrapped;
 use crate::report::CandidateRow;
@@ -89,13 +89,8 @@ fn title(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let name = cut(&shown_text(&name, app.glyphs()), room);
     let style = theme::part(ScreenPart::Title);
     print(buffer, area.x + 1, area.y, area.width, &name, style);
-    print_right(
-        buffer,
-        right,
-        area.y,
-        &count,
-        theme::part(ScreenPart::Quiet),
-    );
+    let style = theme::part(ScreenPart::Quiet);
+    print_right(buffer, right, area.y, &count, style);
 }
 
 /// A line of the list.
@@ -118,20 +113,14 @@ fn lines(list: &CandidateList) -> Vec<ListLine<'_>> {
 }
 
 fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
-    let style = theme::part(ScreenPart::Text);
     if let Some(percent) = list.percent() {
-        paragraph(
-            app,
-            &words().looking_for_linkages(percent),
-            area,
-            style,
-            buffer,
-        );
+        let text = words().looking_for_linkages(percent);
+        paragraph(app, &text, area, ScreenPart::Text, buffer);
         return;
     }
     let lines = lines(list);
     if lines.is_empty() {
-        paragraph(app, list.nothing(), area, style, buffer);
+        paragraph(app, list.nothing(), area, ScreenPart::Text, buffer);
         return;
     }
     let places = CandidateColumns::of(list.rows().len());
@@ -140,26 +129,15 @@ fn rows(app: &App, list: &CandidateList, area: Rect, buffer: &mut Buffer) {
     let cursor = lines.iter().position(
         |line| matches!(line, ListLine::Candidate(number, ..) if *number == list.cursor()),
     );
-    let (first, most) = first_and_most(cursor.unwrap_or(0), lines.len(), area);
-    mark_more(area, first > 0, first < most, buffer);
-    for (y, line) in (area.top()..area.bottom()).zip(&lines[first..]) {
-        let at = Rect {
-            y,
-            height: 1,
-            ..area
-        };
-        match *line {
-            ListLine::Defective => heading(words().defective_ones(), at, buffer),
+    for (at, line) in list_rows(cursor.unwrap_or(0), lines.len(), area, buffer) {
+        match lines[at] {
+            ListLine::Defective => {
+                print_line(buffer, line, words().defective_ones(), ScreenPart::Quiet);
+            }
             ListLine::Candidate(number, row, is_good) => {
                 let under_cursor = number == list.cursor();
-                entry(
-                    app,
-                    &places,
-                    (number, row, is_good),
-                    under_cursor,
-                    at,
-                    buffer,
-                );
+                let entered = (number, row, is_good);
+                entry(app, &places, entered, under_cursor, line, buffer);
             }
         }
     }
@@ -285,8 +263,8 @@ fn beside(facts: &[(String, ScreenPart)], area: Rect, buffer: &mut Buffer) -> Re
     let most = area.height.saturating_sub(MIN_DRAWING_HEIGHT);
     let lines = u16::try_from(facts.len()).unwrap_or(most).min(most);
     let (picture, text) = split(area, area.height - lines);
-    for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
-        print(buffer, text.x, y, text.width, fact, theme::part(*part));
+    for (line, (fact, part)) in text.rows().zip(facts) {
+        print_line(buffer, line, fact, *part);
     }
     picture
 }

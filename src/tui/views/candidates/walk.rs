@@ -48,7 +48,7 @@ pub(crate) enum WalkStep {
 impl CandidateList {
     /// Returns the dyads of four poses, curve by curve.
     fn dyads(&self) -> &[Vec<PosedDyad>] {
-        let found = self.found.as_ref().map(|found| &found.synthesis);
+        let found = self.found().map(|found| &found.synthesis);
         found.map_or(&[], |found| &found.curves)
     }
 
@@ -183,7 +183,7 @@ impl CandidateList {
             return false;
         };
         self.page = CandidatesPage::List;
-        if let Some(found) = &mut self.found {
+        if let Some(found) = &mut self.job.result {
             self.cursor = found.synthesis.add(&self.order.file.task, candidate);
             found.say(&self.order);
         }
@@ -209,13 +209,13 @@ impl CandidateList {
         };
         let proposal = poses.linkage([walk.picked.as_ref()?, walked])?;
         let candidate = Candidate::judge(task, &proposal);
-        let row = self.found.as_ref()?.report(&self.order).row(&candidate);
+        let row = self.found()?.report(&self.order).row(&candidate);
         Some((candidate, row))
     }
 
     /// Returns a description of a dyad.
     pub(super) fn describe_dyad(&self, dyad: &PosedDyad) -> Option<String> {
-        let found = self.found.as_ref()?;
+        let found = self.found()?;
         Some(found.report(&self.order).dyad(dyad))
     }
 

@@ -12,10 +12,7 @@ use crate::wording::words;
 pub(crate) fn groups(first: Option<View>) -> Vec<(&'static str, Vec<&'static ActionRow>)> {
     let of = |view: View| {
         let here = move |entry: &&ActionRow| entry.place == KeyContext::In(view);
-        (
-            view.pane().help_title(),
-            action::entries().filter(here).collect(),
-        )
+        (view.help_title(), action::entries().filter(here).collect())
     };
     let common = action::SECTIONS.iter().map(|section| {
         let common = |entry: &&ActionRow| !matches!(entry.place, KeyContext::In(_));

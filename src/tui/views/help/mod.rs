@@ -13,7 +13,7 @@ pub(crate) mod text;
 
 use super::popup::{self, BORDER};
 use super::table::UNSURE;
-use super::{columns, cut, print, print_right};
+use super::{columns, cut, print, print_line, print_right, split_columns};
 use crate::capability::Colours;
 use crate::manual::{SearchWords, TOPICS};
 use crate::tui::app::App;
@@ -67,17 +67,9 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
     footer(app, help, lines.len(), place, buffer);
     let inner = popup::within(place);
     if lines.is_empty() {
-        for (y, text) in
-            (inner.top()..inner.bottom()).zip(nothing(help.words().unwrap_or_default()))
-        {
-            print(
-                buffer,
-                inner.x,
-                y,
-                inner.width,
-                &text,
-                theme::part(ScreenPart::Text),
-            );
+        let lines = nothing(help.words().unwrap_or_default());
+        for (row, text) in inner.rows().zip(lines) {
+            print_line(buffer, row, &text, ScreenPart::Text);
         }
     }
     let per_column = usize::from(inner.height).max(1);
@@ -91,31 +83,15 @@ pub(super) fn render(app: &App, help: &Help, area: Rect, buffer: &mut Buffer) {
 }
 
 fn show(line: &HelpLine, x: u16, y: u16, buffer: &mut Buffer) {
+    let (keys, behind) = split_columns(Rect::new(x, y, line_columns(), 1), KEYS);
     match line {
         HelpLine::Blank => {}
-        HelpLine::Title(title) => {
-            print(
-                buffer,
-                x,
-                y,
-                line_columns(),
-                title,
-                theme::part(ScreenPart::Title),
-            );
-        }
-        HelpLine::Keys(keys, help) => {
-            let keys = cut(keys, usize::from(KEYS) - 1);
+        HelpLine::Title(title) => print_line(buffer, keys.union(behind), title, ScreenPart::Title),
+        HelpLine::Keys(of, help) => {
+            let of = cut(of, usize::from(KEYS) - 1);
             // Bold keys would account for a third of the bytes that the help sends over a slow line.
-            print(buffer, x, y, KEYS, &keys, theme::part(ScreenPart::Text));
-            let room = line_columns() - KEYS;
-            print(
-                buffer,
-                x + KEYS,
-                y,
-                room,
-                help,
-                theme::part(ScreenPart::Text),
-            );
+            print_line(buffer, keys, &of, ScreenPart::Text);
+            print_line(buffer, behind, help, ScreenPart::Text);
         }
     }
 }
@@ -126,14 +102,8 @@ fn searched(sought: &str, typing: bool, x: u16, place: Rect, buffer: &mut Buffer
     let skipped = sought.len().saturating_sub(room.into());
     let text = format!("/{}", sought.get(skipped..).unwrap_or_default());
     let room = room + 1;
-    let x = print(
-        buffer,
-        x,
-        place.y,
-        room,
-        &text,
-        theme::part(ScreenPart::Text),
-    );
+    let style = theme::part(ScreenPart::Text);
+    let x = print(buffer, x, place.y, room, &text, style);
     let caret = if typing {
         ScreenPart::Caret
     } else {

@@ -2,7 +2,7 @@
 //! it, independent of the scene.
 
 use super::super::layout::{moved, percent_of};
-use super::super::{inset, table};
+use super::super::{inset, split, split_columns, table};
 use crate::drawing::{self, LegendPiece};
 use crate::tui::app::{App, Mode};
 use ratatui::layout::Rect;
@@ -43,14 +43,10 @@ pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
         below(app, area)
     };
     let lines = u16::from(area.height >= ROOM_FOR_RULE);
-    let untitled = Rect {
-        y: part.y + lines,
-        height: part.height - lines,
-        ..part
-    };
+    let (title, untitled) = split(part, lines);
     let (drawing, legend) = with_legend(app, untitled);
     MotionAreas {
-        title: (lines > 0).then_some(Rect { height: 1, ..part }),
+        title: (lines > 0).then_some(title),
         drawing,
         legend,
         rule,
@@ -62,13 +58,8 @@ pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
 pub(super) fn with_legend(app: &App, area: Rect) -> (Rect, Rect) {
     let lines = u16::try_from(legend(app, area).len()).unwrap_or(0);
     let height = area.height.saturating_sub(lines).max(1);
-    let drawing = Rect { height, ..area };
-    let legend = Rect {
-        y: area.y + height,
-        height: area.height.saturating_sub(height),
-        ..inset(area)
-    };
-    (drawing, legend)
+    let (drawing, legend) = split(area, height);
+    (drawing, inset(legend))
 }
 
 /// Returns the lines of the legend for a drawing in this area.
@@ -80,28 +71,28 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     };
     let view = window(app, area);
     let width = usize::from(inset(area).width);
-    drawing::legend_lines(&app.viewport().legend(&view), app.glyphs(), width, most)
+    drawing::legend_lines(&app.views.viewport.legend(&view), app.glyphs(), width, most)
 }
 
 /// Returns the part of the scene's plane visible in this area.
 pub(super) fn window(app: &App, area: Rect) -> drawing::WorldView {
     let reach = reach(app, area.height);
     let size = (area.width, area.height);
-    let viewport = app.viewport();
+    let viewport = &app.views.viewport;
     viewport.view(app.open_scene(), &reach, size, app.aspect())
 }
 
 /// Returns the extents that a drawing of this height must contain.
 fn reach(app: &App, rows: u16) -> Cow<'_, drawing::Reach> {
     let open_scene = app.open_scene();
-    let own = app.viewport().reach(open_scene, rows);
-    match (app.mode(), open_scene.assembly_list(), app.compared()) {
-        (Mode::Assemblies(_), Some(assembly_list), _) => Cow::Borrowed(assembly_list.reach()),
+    let own = app.views.viewport.reach(open_scene, rows);
+    match (app.mode(), app.compared()) {
+        (Mode::Assemblies(assemblies), _) => Cow::Borrowed(&assemblies.reach),
         // If the drawing needs only the linkage's extents, the union is cached.
-        (_, _, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
+        (_, Some(compared)) if std::ptr::eq(own, open_scene.reach()) => {
             Cow::Borrowed(compared.reach())
         }
-        (_, _, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
+        (_, Some(compared)) => Cow::Owned(compared.reach_beside(own)),
         _ => Cow::Borrowed(own),
     }
 }
@@ -114,13 +105,9 @@ fn beside(app: &App, area: Rect) -> [Rect; 3] {
     let share = percent_of(area.width, BESIDE_TABLES);
     let drawing = share.max(area.width.saturating_sub(used));
     let drawing = moved(drawing, area.width, app.composition().split());
-    let table = area.width.saturating_sub(drawing + 1);
-    let columns = [(0, drawing), (drawing, 1), (drawing + 1, table)];
-    columns.map(|(x, width)| Rect {
-        x: area.x + x,
-        width,
-        ..area
-    })
+    let (drawing, beside) = split_columns(area, drawing);
+    let (rule, table) = split_columns(beside, 1);
+    [drawing, rule, table]
 }
 
 /// Returns the areas of drawing, separator and tables, one below another.
@@ -146,11 +133,7 @@ fn below(app: &App, area: Rect) -> [Rect; 3] {
     let drawing = (lowest.max(MIN_DRAWING_HEIGHT)..drawing)
         .find(|&lower| scale_at(lower) >= least)
         .unwrap_or(drawing);
-    let table = area.height.saturating_sub(drawing + rule);
-    let rows = [(0, drawing), (drawing, rule), (drawing + rule, table)];
-    rows.map(|(y, height)| Rect {
-        y: area.y + y,
-        height,
-        ..area
-    })
+    let (drawing, below) = split(area, drawing);
+    let (rule, table) = split(below, rule);
+    [drawing, rule, table]
 }

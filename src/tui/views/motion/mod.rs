@@ -76,7 +76,10 @@ impl Sketch {
 
     /// Draws the linkage's current state for an area of the screen.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        let drawn = Some((app.open_scene().edition().clone(), app.viewport().setting()));
+        let drawn = Some((
+            app.open_scene().edition().clone(),
+            app.views.viewport.setting(),
+        ));
         if self.drawn != drawn {
             self.drawn = drawn;
             self.labels = Labels::default();
@@ -101,11 +104,9 @@ impl Sketch {
 /// Returns the linkage's current state, with the ghosts of the linkages that it is compared with.
 fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
-    let mut figure = app.viewport().figure(open_scene, lit);
-    if let (&Mode::Assemblies(cursor), Some(assembly_list)) =
-        (app.mode(), open_scene.assembly_list())
-    {
-        for ghost in assembly_list.ghosts(cursor) {
+    let mut figure = app.views.viewport.figure(open_scene, lit);
+    if let Mode::Assemblies(assemblies) = app.mode() {
+        for ghost in assemblies.ghosts() {
             drawing::add_ghost(&mut figure, open_scene.scene(), open_scene.state(), ghost);
         }
     }
@@ -127,18 +128,6 @@ pub(super) struct MotionView;
 pub(super) struct DrawingPane;
 
 impl Pane for DrawingPane {
-    fn name(&self) -> &'static str {
-        MotionView.name()
-    }
-
-    fn about(&self) -> &'static str {
-        MotionView.about()
-    }
-
-    fn help_title(&self) -> &'static str {
-        MotionView.help_title()
-    }
-
     fn view(&self) -> View {
         View::Motion
     }
@@ -163,20 +152,8 @@ impl Pane for DrawingPane {
 }
 
 impl Pane for MotionView {
-    fn name(&self) -> &'static str {
-        "motion"
-    }
-
-    fn about(&self) -> &'static str {
-        words().drawing_with_live_tables()
-    }
-
     fn view(&self) -> View {
         View::Motion
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().what_the_motion_view_shows()
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
@@ -191,8 +168,8 @@ impl Pane for MotionView {
         show(&sketch.raster, arrangement.drawing, buffer);
         explain(app, arrangement.drawing, arrangement.legend, buffer);
         rule(app.glyphs(), arrangement.rule, buffer);
-        if let Mode::Assemblies(cursor) = *app.mode() {
-            assemblies::render(app, cursor, arrangement.table, buffer);
+        if let Mode::Assemblies(assemblies) = app.mode() {
+            assemblies::render(app, assemblies, arrangement.table, buffer);
         } else {
             table::render(app, arrangement.table, buffer);
         }
@@ -235,7 +212,10 @@ impl Pane for MotionView {
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        Ok((words().the_drawing(), app.viewport().svg(app.open_scene())))
+        Ok((
+            words().the_drawing(),
+            app.views.viewport.svg(app.open_scene()),
+        ))
     }
 }
 

@@ -10,8 +10,8 @@
 
 pub(crate) mod study;
 
-use super::pane::{Copied, Need, Pane};
-use super::{MARGIN, Sketch, inset, page, show};
+use super::pane::{Copied, Pane};
+use super::{Sketch, chart_and_list, inset, page, show, split, split_columns};
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
 use crate::tui::app::{App, View};
@@ -29,67 +29,27 @@ const GAP: u16 = 2;
 /// Minimum and maximum height of a curve above the values, which takes two fifths of the area.
 const ROWS_ABOVE: (u16, u16) = (5, 16);
 
-/// The areas of the curve and of the values.
-struct MotorAreas {
-    curve: Rect,
-    list: Rect,
-}
-
-fn arrange(app: &App, area: Rect) -> MotorAreas {
-    if app.motor().plot().is_none() {
-        let curve = Rect { height: 0, ..area };
-        let list = inset(area);
-        return MotorAreas { curve, list };
-    }
-    let beside = |list: u16| {
-        let left = area.width.checked_sub(list + 1 + MARGIN);
-        left.filter(|&width| width >= MIN_CURVE)
-    };
-    if let Some(width) = beside(WIDE).or(beside(NARROW)) {
-        let list = Rect {
-            x: area.x + width,
-            width: area.width - width,
-            ..area
-        };
-        return MotorAreas {
-            curve: Rect {
-                width: width.saturating_sub(GAP),
-                ..area
-            },
-            list: inset(list),
-        };
+/// Returns the areas of the curve and of the values.
+fn arrange(app: &App, area: Rect) -> (Rect, Rect) {
+    if app.views.motor.plot().is_none() {
+        return (split(area, 0).0, inset(area));
     }
     let (least, most) = ROWS_ABOVE;
-    let height = (area.height * 2 / 5).clamp(least, most).min(area.height);
-    let list = Rect {
-        y: area.y + height,
-        height: area.height - height,
-        ..area
-    };
-    MotorAreas {
-        curve: Rect { height, ..area },
-        list: inset(list),
-    }
+    let rows = (area.height * 2 / 5).clamp(least, most);
+    let (curve, list) = chart_and_list(area, &[WIDE, NARROW], MIN_CURVE, rows);
+    let gap = if curve.width < area.width { GAP } else { 0 };
+    (
+        split_columns(curve, curve.width.saturating_sub(gap)).0,
+        list,
+    )
 }
 
 /// The motor view: the motor's duty over a cycle.
 pub(super) struct MotorView;
 
 impl Pane for MotorView {
-    fn name(&self) -> &'static str {
-        "motor"
-    }
-
     fn view(&self) -> View {
         View::Motor
-    }
-
-    fn about(&self) -> &'static str {
-        words().motor_over_a_cycle()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_motor_view()
     }
 
     fn nothing(&self, app: &App) -> Option<&'static str> {
@@ -97,45 +57,44 @@ impl Pane for MotorView {
         (!acts).then(|| words().nothing_acts_in_short())
     }
 
-    fn needs(&self) -> Need {
-        Need::Motor
-    }
-
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        if let Some(plot) = app.motor().plot() {
-            render_curve(app, plot, arrange(app, body).curve, buffer);
+        if let Some(plot) = app.views.motor.plot() {
+            render_curve(app, plot, arrange(app, body).0, buffer);
         }
         let (lines, list) = self.listed(app, body);
         page::render(app, self.view(), &lines, list, buffer);
     }
 
     fn listed(&self, app: &App, body: Rect) -> (Vec<Line>, Rect) {
-        let list = arrange(app, body).list;
+        let list = arrange(app, body).1;
         (lines(app, list), list)
     }
 
     fn copy(&self, app: &App) -> Copied {
-        app.motor().text(true).map_or(Copied::Nothing, Copied::Text)
+        app.views
+            .motor
+            .text(true)
+            .map_or(Copied::Nothing, Copied::Text)
     }
 
     fn csv(&self, app: &App) -> Result<String, String> {
-        let motor = app.motor();
+        let motor = &app.views.motor;
         motor.csv(app.csv_dialect()).ok_or_else(|| motor.nothing())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        let motor = app.motor();
+        let motor = &app.views.motor;
         let text = motor.svg(app.open_scene()).ok_or_else(|| motor.nothing())?;
         Ok((words().the_curve(), text))
     }
 
     fn file_part(&self) -> Option<&'static str> {
-        Some(self.name())
+        Some(self.view().name())
     }
 }
 
 fn lines(app: &App, list: Rect) -> Vec<Line> {
-    let page = app.motor().page();
+    let page = app.views.motor.page();
     page.map_or_else(Vec::new, |page| page::lines(app, page, list))
 }
 
@@ -148,7 +107,7 @@ fn render_curve(app: &App, plot: &Plot, area: Rect, buffer: &mut Buffer) {
         extrema: true,
         first: 0,
     };
-    let here = app.motor().here(app.open_scene());
+    let here = app.views.motor.here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
 }

@@ -1,5 +1,6 @@
 //! The offer of unsaved edits from earlier sessions: the list and the page read by the user.
 
+use crate::tui::commands::list::moved;
 use crate::tui::document::difference::difference;
 use crate::tui::document::recovery::{Generation, Others};
 use crate::wording::words;
@@ -66,14 +67,8 @@ impl Offer {
     pub(crate) fn move_by(&mut self, lines: isize) {
         self.asks = false;
         match &mut self.page {
-            Some(page) => {
-                let most = page.lines.len().saturating_sub(1);
-                page.scroll = page.scroll.saturating_add_signed(lines).min(most);
-            }
-            None => {
-                let most = self.others.left.len().saturating_sub(1);
-                self.cursor = self.cursor.saturating_add_signed(lines).min(most);
-            }
+            Some(page) => page.scroll = moved(page.scroll, lines, page.lines.len()),
+            None => self.cursor = moved(self.cursor, lines, self.others.left.len()),
         }
     }
 

@@ -12,7 +12,7 @@
 pub(crate) mod list;
 
 use super::popup::{self, BORDER};
-use super::{cut, print};
+use super::{cut, first_row, print};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::document::recovery::{Alive, Generation};
@@ -140,8 +140,7 @@ fn listed(offer: &Offer, columns: u16, most: u16) -> Vec<OfferLine> {
     behind.push((String::new(), ScreenPart::Text));
     let left = &offer.others.left;
     let room = usize::from(most).saturating_sub(behind.len()).max(1);
-    let first = offer.cursor.saturating_sub(room / 2);
-    let first = first.min(left.len().saturating_sub(room));
+    let first = first_row(offer.cursor, left.len(), room);
     let seen = left.iter().enumerate().skip(first).take(room);
     let mut lines: Vec<OfferLine> = seen
         .map(|(n, found)| row(found, n == offer.cursor))

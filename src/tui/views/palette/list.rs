@@ -2,18 +2,31 @@
 //! followed by the matching topics of the manual.
 
 use crate::document::with_ascii_letters;
-use crate::manual::{SearchWords, TOPICS, Topic};
+use crate::manual::SearchWords;
+use crate::scene::with_point;
+use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::keywords::keywords;
 use crate::tui::commands::line::EditLine;
+use crate::tui::commands::list::List;
 use crate::wording::words;
 
 /// An entry of the list.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Listed {
-    Command(&'static ActionRow),
-    /// A topic of the manual, with its index.
-    Topic(usize, &'static Topic),
+    Command(Action),
+    /// The topic of the manual with this index.
+    Topic(usize),
+    /// Saves the scene and quits.
+    SaveAndQuit,
+    /// Saves the scene to the typed file.
+    SaveTo,
+    /// Opens the typed file, or the preset of this name.
+    OpenFile,
+    /// Moves the driver to the typed coordinate.
+    GoTo,
+    /// Switches the theme.
+    Theme(Theme),
 }
 
 /// The cost of a keyword match, higher than that of any match in a command's name.
@@ -22,37 +35,30 @@ const KEYWORD: usize = 1000;
 /// All commands, filtered by the typed text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct CommandList {
-    line: EditLine,
-    /// Indices into the table of actions, best matches first.
-    found: Vec<usize>,
-    /// Indices into the manual.
-    topics: Vec<usize>,
-    cursor: usize,
+    /// The typed text; [`CommandList::narrow`] must be called after a change.
+    pub(crate) line: EditLine,
+    /// The matching entries, the best first.
+    pub(crate) list: List<Listed>,
 }
 
 impl CommandList {
     pub(crate) fn new() -> CommandList {
         let mut palette = CommandList {
-            line: EditLine::for_words(),
-            found: Vec::new(),
-            topics: Vec::new(),
-            cursor: 0,
+            line: EditLine::for_command(),
+            list: List::new(Vec::new()),
         };
         palette.narrow();
         palette
     }
 
-    pub(crate) fn typed(&self) -> &str {
-        self.line.text()
+    /// Returns the typed text behind the first word.
+    pub(crate) fn argument(&self) -> &str {
+        words_of(self.line.text()).1
     }
 
-    /// Returns the input line; [`CommandList::narrow`] must be called after a change.
-    pub(crate) fn line(&mut self) -> &mut EditLine {
-        &mut self.line
-    }
-
-    /// Lists the matching commands: the best first, then the shortest, and in the table's order if
-    /// they are equal.
+    /// Lists the matching commands: exact names, then beginnings of words, then the closest, then the
+    /// shortest, and in the table's order if they are equal. Commands that the text spells out, such
+    /// as `w` or `135`, come first.
     pub(crate) fn narrow(&mut self) {
         let typed = plain(self.line.text());
         let costs = rows().enumerate().filter_map(|(at, row)| {
@@ -61,42 +67,81 @@ impl CommandList {
                 .iter()
                 .filter_map(|text| Some((cost(&typed, text)?, text.chars().count())));
             let sought = || keyword_cost(&typed, keywords(row.action));
-            Some((costs.min().or_else(sought)?, at))
+            let rank = NameRank::of(typed.trim(), row.name, &texts);
+            Some((rank, costs.min().or_else(sought)?, at))
         });
-        let mut costs: Vec<((usize, usize), usize)> = costs.collect();
+        let mut costs: Vec<(NameRank, (usize, usize), usize)> = costs.collect();
         if !typed.trim().is_empty() {
             costs.sort_unstable();
         }
-        self.found = costs.into_iter().map(|(_, at)| at).collect();
-        self.topics = SearchWords::new(&typed).best_topics();
-        self.cursor = 0;
+        let commands = costs.into_iter().filter_map(|(.., at)| rows().nth(at));
+        let commands = commands.map(|row| Listed::Command(row.action));
+        let topics = SearchWords::new(&typed).best_topics().into_iter();
+        let mut listed = spelled(self.line.text());
+        let found = commands.chain(topics.map(Listed::Topic));
+        let others: Vec<Listed> = found.filter(|other| !listed.contains(other)).collect();
+        listed.extend(others);
+        self.list = List::new(listed);
     }
+}
 
-    /// Yields the listed entries.
-    pub(crate) fn found(&self) -> impl Iterator<Item = Listed> {
-        let commands = self.found.iter().filter_map(|at| rows().nth(*at));
-        let topics = self.topics.iter();
-        let topics = topics.filter_map(|at| Some(Listed::Topic(*at, TOPICS.get(*at)?)));
-        commands.map(Listed::Command).chain(topics)
+/// Splits a typed command into its first word and the rest.
+fn words_of(typed: &str) -> (&str, &str) {
+    let typed = typed.trim();
+    let (word, rest) = typed.split_once(' ').unwrap_or((typed, ""));
+    (word, rest.trim())
+}
+
+/// Returns the commands that the typed text spells out, as in vi.
+fn spelled(typed: &str) -> Vec<Listed> {
+    let number = with_point(typed.trim()).and_then(|text| text.parse::<f64>().ok());
+    let is_number = number.is_some_and(f64::is_finite);
+    match words_of(typed) {
+        ("w", "") => vec![Listed::Command(Action::Save)],
+        ("wq", "") => vec![Listed::SaveAndQuit],
+        ("q", "") => vec![Listed::Command(Action::Quit)],
+        ("e", "") => vec![Listed::Command(Action::Open)],
+        ("w", _) => vec![Listed::SaveTo],
+        ("e", _) => vec![Listed::OpenFile],
+        ("theme", name) => {
+            let themes = Theme::ALL.into_iter();
+            let meant = themes.filter(|theme| theme.name().starts_with(name));
+            meant.map(Listed::Theme).collect()
+        }
+        _ if is_number => vec![Listed::GoTo],
+        _ => Vec::new(),
     }
+}
 
-    pub(crate) fn count(&self) -> usize {
-        self.found.len() + self.topics.len()
-    }
+/// How a command's name or description matches the typed text, the best first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum NameRank {
+    /// The text is the command's name.
+    Name,
+    /// The text begins the name or the description.
+    Beginning,
+    /// The text begins a word.
+    Word,
+    /// The letters only occur in this order.
+    Loose,
+}
 
-    pub(crate) fn cursor(&self) -> usize {
-        self.cursor
-    }
-
-    /// Returns the entry under the cursor.
-    pub(crate) fn chosen(&self) -> Option<Listed> {
-        self.found().nth(self.cursor)
-    }
-
-    /// Moves the cursor within the list.
-    pub(crate) fn move_by(&mut self, rows: isize) {
-        let most = self.count().saturating_sub(1);
-        self.cursor = self.cursor.saturating_add_signed(rows).min(most);
+impl NameRank {
+    fn of(typed: &str, name: &str, texts: &[&str]) -> NameRank {
+        let texts: Vec<String> = texts.iter().map(|text| plain(text)).collect();
+        let begins_word = |text: &String| {
+            let mut words = text.split(|c: char| !c.is_alphanumeric());
+            words.any(|word| word.starts_with(typed))
+        };
+        if typed == name {
+            NameRank::Name
+        } else if texts.iter().any(|text| text.starts_with(typed)) {
+            NameRank::Beginning
+        } else if texts.iter().any(begins_word) {
+            NameRank::Word
+        } else {
+            NameRank::Loose
+        }
     }
 }
 
@@ -153,25 +198,29 @@ fn cost(typed: &str, text: &str) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::manual::TOPICS;
     use crate::wording::Language;
 
     fn found(typed: &str) -> Vec<&'static str> {
         let mut palette = CommandList::new();
-        typed.chars().for_each(|c| palette.line().push(c));
+        typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
-        let names = palette.found().filter_map(|listed| match listed {
-            Listed::Command(row) => Some(row.name),
-            Listed::Topic(..) => None,
+        let names = palette.list.listed().filter_map(|listed| match listed {
+            Listed::Command(action) => Some(action::entry_of(*action).name),
+            _ => None,
         });
         names.collect()
     }
 
     fn topics(typed: &str) -> Vec<&'static str> {
         let mut palette = CommandList::new();
-        typed.chars().for_each(|c| palette.line().push(c));
+        typed.chars().for_each(|c| palette.line.push(c));
         palette.narrow();
-        let topics = palette.topics.iter();
-        topics.map(|at| TOPICS[*at].name).collect()
+        let topics = palette.list.listed().filter_map(|listed| match listed {
+            Listed::Topic(at) => Some(TOPICS[*at].name),
+            _ => None,
+        });
+        topics.collect()
     }
 
     /// Terms that occur in no name and no help text find the command, or the topic of the manual
@@ -226,6 +275,47 @@ mod tests {
         assert_eq!(found("cozum")[0], "working");
         Language::English.speak();
         assert_eq!(found("language")[0], "language");
+    }
+
+    #[test]
+    fn commands_of_vi_come_first() {
+        let first = |typed: &str| {
+            let mut palette = CommandList::new();
+            typed.chars().for_each(|c| palette.line.push(c));
+            palette.narrow();
+            palette.list.chosen().copied()
+        };
+        for (typed, listed) in [
+            ("w", Listed::Command(Action::Save)),
+            ("wq", Listed::SaveAndQuit),
+            ("q", Listed::Command(Action::Quit)),
+            ("w mine.toml", Listed::SaveTo),
+            ("e press", Listed::OpenFile),
+            ("135", Listed::GoTo),
+            ("-12.5", Listed::GoTo),
+            ("theme d", Listed::Theme(Theme::Dark)),
+            ("theme", Listed::Theme(Theme::Auto)),
+        ] {
+            assert_eq!(first(typed), Some(listed), "{typed}");
+        }
+        assert_eq!(first("theme qzx"), None);
+    }
+
+    /// A name precedes every command whose description merely contains its letters.
+    #[test]
+    fn names_and_word_beginnings_precede_loose_matches() {
+        Language::English.speak();
+        for (typed, name) in [("und", "undo"), ("report", "report"), ("lang", "language")] {
+            assert_eq!(found(typed)[0], name, "{typed}: {:?}", found(typed));
+        }
+        let found = found("st");
+        let begins = |name: &&str| {
+            let row = rows().find(|row| row.name == *name).unwrap();
+            let texts = [row.name, (row.hint)(words()), (row.help)(words())];
+            NameRank::of("st", row.name, &texts) < NameRank::Loose
+        };
+        let count = found.iter().filter(|name| begins(name)).count();
+        assert!(count > 1 && found[..count].iter().all(begins), "{found:?}");
     }
 
     #[test]

@@ -10,10 +10,12 @@
 pub(crate) mod list;
 
 use super::popup;
-use super::{columns, cut, print, print_right};
+use super::{columns, cut, first_row, print, print_line, print_right};
+use crate::manual::TOPICS;
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
-use crate::tui::commands::action;
+use crate::tui::commands::action::{self, entry_of};
+use crate::tui::player::open_scene::shown;
 use crate::wording::words;
 use list::{CommandList, Listed};
 use ratatui::buffer::Buffer;
@@ -22,6 +24,8 @@ use ratatui::layout::Rect;
 /// Maximum size of the list in columns and rows, which does not change while it is filtered.
 const COLUMNS: u16 = 42;
 const ROWS: u16 = 14;
+/// The mark of the selected entry.
+const MARK: &str = "> ";
 
 /// Returns the area of the popup.
 pub(super) fn placed(area: Rect) -> Rect {
@@ -30,75 +34,66 @@ pub(super) fn placed(area: Rect) -> Rect {
 
 pub(super) fn render(app: &App, palette: &CommandList, area: Rect, buffer: &mut Buffer) {
     let place = placed(area);
-    let title = format!(":{}", palette.typed());
+    let title = format!(":{}", shown(palette.line.text(), app.glyphs()));
     let end = popup::frame(app.glyphs(), place, &title, buffer);
     if end > place.x && end < place.right() {
-        print(
-            buffer,
-            end - 1,
-            place.y,
-            1,
-            " ",
-            theme::part(ScreenPart::Caret),
-        );
+        let style = theme::part(ScreenPart::Caret);
+        print(buffer, end - 1, place.y, 1, " ", style);
     }
     let inner = popup::within(place);
-    if palette.count() == 0 {
-        let style = theme::part(ScreenPart::Text);
-        print(
-            buffer,
-            inner.x,
-            inner.y,
-            inner.width,
-            words().no_command_is_that(),
-            style,
-        );
+    let (count, _) = palette.list.count();
+    if count == 0 {
+        let text = words().no_command_is_that();
+        print_line(buffer, inner, text, ScreenPart::Text);
         return;
     }
-    let first = first_seen(palette, inner.height.into());
-    let seen = palette.found().enumerate().skip(first);
-    for (y, (at, row)) in (inner.top()..inner.bottom()).zip(seen) {
-        let line = Rect {
-            y,
-            height: 1,
-            ..inner
-        };
-        render_row(app, row, at == palette.cursor(), line, buffer);
+    let first = first_row(palette.list.cursor(), count, inner.height.into());
+    let seen = palette.list.listed().enumerate().skip(first);
+    for (line, (at, listed)) in inner.rows().zip(seen) {
+        let (mut told, mut keys) = (told(*listed, palette), String::new());
+        if let Listed::Command(action) = listed {
+            keys = action::listed(app.keymap().keys(*action));
+        } else {
+            let room = usize::from(line.width).saturating_sub(MARK.len());
+            told = cut(&shown(&told, app.glyphs()), room);
+        }
+        render_row((&told, &keys), at == palette.list.cursor(), line, buffer);
     }
 }
 
-/// Renders a command with its keys at the right, or a topic of the manual.
-fn render_row(app: &App, listed: Listed, is_chosen: bool, line: Rect, buffer: &mut Buffer) {
+/// Describes an entry.
+fn told(listed: Listed, palette: &CommandList) -> String {
+    match listed {
+        Listed::Command(action) => (entry_of(action).help)(words()).to_owned(),
+        Listed::Topic(at) => {
+            let topic = &TOPICS[at];
+            words().manual_of(topic.called(), (topic.about)(words()))
+        }
+        Listed::SaveAndQuit => words().save_and_quit().to_owned(),
+        Listed::SaveTo => words().save_to(palette.argument()),
+        Listed::OpenFile => words().open_named(palette.argument()),
+        Listed::GoTo => words().go_to_coordinate(palette.line.text().trim()),
+        Listed::Theme(theme) => words().theme_is(theme.name()),
+    }
+}
+
+/// Renders an entry with its keys at the right.
+fn render_row((told, keys): (&str, &str), is_chosen: bool, line: Rect, buffer: &mut Buffer) {
     let (mark, part) = match is_chosen {
-        true => ("> ", ScreenPart::Key),
+        true => (MARK, ScreenPart::Key),
         false => ("  ", ScreenPart::Text),
     };
     let x = print(buffer, line.x, line.y, line.width, mark, theme::part(part));
     let room = line.right().saturating_sub(x);
-    let (told, keys) = match listed {
-        Listed::Command(row) => {
-            let keys = action::listed(app.keymap().keys(row.action));
-            ((row.help)(words()).to_owned(), keys)
-        }
-        Listed::Topic(_, topic) => {
-            let told = words().manual_of(topic.called(), (topic.about)(words()));
-            (cut(&told, room.into()), String::new())
-        }
-    };
-    let end = print(buffer, x, line.y, room, &told, theme::part(part));
-    if end + 1 + columns(&keys) <= line.right() {
+    let end = print(buffer, x, line.y, room, told, theme::part(part));
+    if end + 1 + columns(keys) <= line.right() {
         let style = theme::part(ScreenPart::Quiet);
-        print_right(buffer, line.right(), line.y, &keys, style);
+        print_right(buffer, line.right(), line.y, keys, style);
     }
-}
-
-/// Returns the first visible row, such that the cursor is centred if possible.
-fn first_seen(palette: &CommandList, height: usize) -> usize {
-    let most = palette.count().saturating_sub(height);
-    palette.cursor().saturating_sub(height / 2).min(most)
 }
 
 /// Returns the number of rows and the number of visible ones.
 pub(super) fn extent(palette: &CommandList, area: Rect) -> (usize, usize) {
-    (palette.count(), popup::within(placed(area)).height.into())
+    let rows = popup::within(placed(area)).height;
+    (palette.list.count().0, rows.into())
 }

@@ -1,8 +1,11 @@
 //! The list of the scene picker: a folder's files and the presets, filtered by typing.
 
 use crate::scene::presets::{self, Preset};
-use crate::scene::{Scene, is_harmful, sanitized};
+use crate::scene::{Scene, sanitized};
 use crate::tui::Origin;
+use crate::tui::commands::key::Key;
+use crate::tui::commands::line::EditLine;
+use crate::tui::commands::list::List;
 use crate::tui::views::picker::folder::{Folder, name_of};
 use crate::wording::words;
 use std::path::{Path, PathBuf};
@@ -84,16 +87,11 @@ pub(crate) struct Picker {
     folder: PathBuf,
     /// The note about the folder.
     note: Option<String>,
-    items: Vec<PickerItem>,
-    search: String,
-    /// Indices of the entries that match the search.
-    matches: Vec<usize>,
-    /// Index into the matches.
-    cursor: usize,
+    pub(crate) search: EditLine,
+    /// The entries, of which those that match the search are listed.
+    pub(crate) list: List<PickerItem>,
 }
 
-/// Maximum length of a search, in characters; a longer one would not find more.
-const MAX_SEARCH_LEN: usize = 40;
 /// The entry that leads to the parent folder.
 const ABOVE: &str = "..";
 
@@ -140,10 +138,8 @@ impl Picker {
             here: here.filter(|_| purpose == Purpose::Compare),
             folder: PathBuf::new(),
             note: None,
-            items: Vec::new(),
-            search: String::new(),
-            matches: Vec::new(),
-            cursor: 0,
+            search: EditLine::for_scene(),
+            list: List::new(Vec::new()),
         };
         picker.list(FolderReading::default(), None);
         picker
@@ -153,64 +149,32 @@ impl Picker {
         self.purpose
     }
 
-    pub(crate) fn search(&self) -> &str {
-        &self.search
-    }
-
-    /// Returns the number of matching entries and the number of all entries.
-    pub(crate) fn count(&self) -> (usize, usize) {
-        (self.matches.len(), self.items.len())
-    }
-
     /// Returns the selected entry; `None` if there are no matches.
     pub(crate) fn chosen(&self) -> Option<&PickerItem> {
-        let number = self.matches.get(self.cursor)?;
-        self.items.get(*number)
+        self.list.chosen()
     }
 
     /// Lists a folder with an empty search; the cursor is on `at` if it is listed.
     pub(crate) fn list(&mut self, read: FolderReading, at: Option<&PickerTarget>) {
         self.folder = read.folder;
         self.search.clear();
-        self.items.clear();
-        self.items.extend(self.first.clone());
         let above = self.folder.parent().map(Path::to_owned);
         let above = above.map(|above| PickerItem::new(PickerTarget::Folder(above), ABOVE, ""));
-        self.items.extend(above);
+        let mut items: Vec<PickerItem> = self.first.clone().into_iter().chain(above).collect();
         self.note = match read.found {
-            Ok(found) => self.take(found),
+            Ok(found) => take(found, &mut items),
             Err(why) => Some(why),
         };
         let presets = presets::all().iter().zip(TITLES.iter());
-        self.items.extend(presets.map(|(p, title)| {
+        items.extend(presets.map(|(p, title)| {
             let title = words().translated_scene_text(title);
             PickerItem::new(PickerTarget::Preset(p.name), p.name, &title)
         }));
-        self.items
-            .retain(|item| Some(&item.place) != self.here.as_ref());
-        self.narrow();
-        let known = |place: &PickerTarget| self.items.iter().position(|item| item.place == *place);
-        self.cursor = at.and_then(known).unwrap_or_else(|| self.first_scene());
-    }
-
-    /// Adds the entries of the folder and returns the note about it.
-    fn take(&mut self, found: Folder) -> Option<String> {
-        let note = match (found.is_cut, found.scenes.is_empty()) {
-            (true, _) => Some(words().more_than_can_be_listed()),
-            (false, true) => Some(words().no_scene_file_here()),
-            (false, false) => None,
-        };
-        for path in found.folders {
-            let name = format!("{}/", name_of(&path));
-            self.items
-                .push(PickerItem::new(PickerTarget::Folder(path), &name, ""));
+        items.retain(|item| Some(&item.place) != self.here.as_ref());
+        self.list = List::new(items);
+        if !at.is_some_and(|at| self.list.go_to(|item| item.place == *at)) {
+            self.go_to_scene();
         }
-        for path in found.scenes {
-            let name = name_of(&path);
-            self.items
-                .push(PickerItem::new(PickerTarget::File(path), &name, ""));
-        }
-        note.map(str::to_owned)
     }
 
     /// Returns `true` if a folder is the parent of the listed one.
@@ -224,42 +188,28 @@ impl Picker {
         Some((above, PickerTarget::Folder(self.folder.clone())))
     }
 
-    /// Appends a character to the search. Rejects control characters that could affect the
-    /// terminal, and a leading blank.
-    pub(crate) fn push(&mut self, c: char) {
-        let fits = self.search.chars().count() < MAX_SEARCH_LEN;
-        if fits && !is_harmful(c) && !(c == ' ' && self.search.is_empty()) {
-            self.search.push(c);
+    /// Handles a key that edits the search. Returns `false` for all others.
+    pub(crate) fn edit(&mut self, key: Key) -> bool {
+        // A leading blank searches for nothing.
+        let is_empty = self.search.text().is_empty();
+        let changed = match key {
+            Key::Char(' ') if is_empty => Some(false),
+            _ => self.search.change(key),
+        };
+        if changed == Some(true) {
             self.search_again();
         }
-    }
-
-    pub(crate) fn erase(&mut self) {
-        if self.search.pop().is_some() {
-            self.search_again();
-        }
-    }
-
-    pub(crate) fn clear(&mut self) {
-        self.search.clear();
-        self.search_again();
-    }
-
-    /// Moves the cursor by `entries` within the matches.
-    pub(crate) fn move_by(&mut self, entries: isize) {
-        let most = self.matches.len().saturating_sub(1);
-        self.cursor = self.cursor.saturating_add_signed(entries).min(most);
+        changed.is_some()
     }
 
     /// Returns the lines of the list: the matches under the headings of their parts.
     pub(crate) fn rows(&self) -> Vec<PickerRow<'_>> {
-        let items = self.matches.iter().enumerate();
-        let items = items.filter_map(|(i, &n)| Some((i == self.cursor, self.items.get(n)?)));
-        let mut rows = Vec::with_capacity(self.matches.len() + 3);
+        let mut rows = Vec::with_capacity(self.list.count().0 + 3);
         let (mut in_folder, mut in_presets) = (false, false);
         // The note about the folder is shown only without a search.
-        let note = self.note.as_deref().filter(|_| self.search.is_empty());
-        for (under_cursor, item) in items {
+        let is_whole = self.search.text().is_empty();
+        let note = self.note.as_deref().filter(|_| is_whole);
+        for (at, item) in self.list.listed().enumerate() {
             match item.place {
                 PickerTarget::Original | PickerTarget::Candidates => {}
                 PickerTarget::Folder(_) | PickerTarget::File(_) => {
@@ -276,44 +226,50 @@ impl Picker {
                     in_presets = true;
                 }
             }
-            rows.push(PickerRow::Item(item, under_cursor));
+            rows.push(PickerRow::Item(item, at == self.list.cursor()));
         }
         rows
     }
 
-    /// Filters again after a change of the search. The cursor goes to the first match that begins
-    /// with the search, or else to the first scene.
-    fn search_again(&mut self) {
-        self.narrow();
-        let typed = self.search.to_lowercase();
-        let begins = |n: &usize| self.items[*n].key.starts_with(&typed);
-        let begun = self.matches.iter().position(begins);
-        self.cursor = match begun.filter(|_| !typed.is_empty()) {
-            Some(cursor) => cursor,
-            None => self.first_scene(),
-        };
-    }
-
-    /// Selects the entries whose name or title contains every word of the search. The entry of the
+    /// Lists the entries whose name or title contains every word of the search. The cursor goes to
+    /// the first match that begins with the search, or else to the first scene. The entry of the
     /// parent folder is not searched.
-    fn narrow(&mut self) {
-        let typed = self.search.to_lowercase();
+    fn search_again(&mut self) {
+        let typed = self.search.text().to_lowercase();
         let words: Vec<&str> = typed.split_whitespace().collect();
-        let matches = |item: &PickerItem| {
+        self.list.narrow(|item| {
             words.is_empty()
                 || (item.name != ABOVE && words.iter().all(|word| item.key.contains(word)))
-        };
-        let numbered = self.items.iter().enumerate();
-        let found = numbered.filter(|(_, item)| matches(item));
-        self.matches = found.map(|(n, _)| n).collect();
+        });
+        if typed.is_empty() || !self.list.go_to(|item| item.key.starts_with(&typed)) {
+            self.go_to_scene();
+        }
     }
 
-    /// Returns the default cursor: the first scene, because folders come first but are rarely
-    /// meant.
-    fn first_scene(&self) -> usize {
-        let is_scene = |n: &usize| !matches!(self.items[*n].place, PickerTarget::Folder(_));
-        self.matches.iter().position(is_scene).unwrap_or(0)
+    /// Moves the cursor to the first scene, because folders come first but are rarely meant.
+    fn go_to_scene(&mut self) {
+        self.list.move_by(isize::MIN);
+        let is_scene = |item: &PickerItem| !matches!(item.place, PickerTarget::Folder(_));
+        self.list.go_to(is_scene);
     }
+}
+
+/// Adds the entries of a folder and returns the note about it.
+fn take(found: Folder, items: &mut Vec<PickerItem>) -> Option<String> {
+    let note = match (found.is_cut, found.scenes.is_empty()) {
+        (true, _) => Some(words().more_than_can_be_listed()),
+        (false, true) => Some(words().no_scene_file_here()),
+        (false, false) => None,
+    };
+    items.extend(found.folders.into_iter().map(|path| {
+        let name = format!("{}/", name_of(&path));
+        PickerItem::new(PickerTarget::Folder(path), &name, "")
+    }));
+    items.extend(found.scenes.into_iter().map(|path| {
+        let name = name_of(&path);
+        PickerItem::new(PickerTarget::File(path), &name, "")
+    }));
+    note.map(str::to_owned)
 }
 
 impl PickerItem {

@@ -14,7 +14,10 @@ pub(crate) mod folder;
 pub(crate) mod list;
 pub(crate) mod preview;
 
-use super::{columns, cut, inset, mark_more, middle, print, print_right, row};
+use super::{
+    columns, cut, inset, list_rows, middle, print, print_line, print_right, row, split,
+    split_columns,
+};
 use crate::drawing::{self, Layers};
 use crate::page::wrapped;
 use crate::tui::app::App;
@@ -48,17 +51,11 @@ pub(super) fn arrange(area: Rect, [usual, wide]: [u16; 2]) -> PickerAreas {
     } else {
         wide
     };
-    let part = |x: u16, width: u16| Rect {
-        x: area.x + x,
-        width,
-        ..area
-    };
+    let (list, beside) = split_columns(area, width);
+    let (rule, preview) = split_columns(beside, 1);
     PickerAreas {
-        list: inset(part(0, width)),
-        preview: Some((
-            part(width, 1),
-            inset(part(width + 1, area.width - width - 1)),
-        )),
+        list: inset(list),
+        preview: Some((rule, inset(preview))),
     }
 }
 
@@ -93,78 +90,49 @@ fn search(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let x = put(
         buffer,
         x,
-        &shown(picker.search(), app.glyphs()),
+        &shown(picker.search.text(), app.glyphs()),
         ScreenPart::Text,
     );
     let x = put(buffer, x, " ", ScreenPart::Caret);
-    let (found, all) = picker.count();
+    let (found, all) = picker.list.count();
     let count = words().some_of(found, all);
     if x + columns(&count) < right {
-        print_right(
-            buffer,
-            right,
-            area.y,
-            &count,
-            theme::part(ScreenPart::Quiet),
-        );
+        let style = theme::part(ScreenPart::Quiet);
+        print_right(buffer, right, area.y, &count, style);
     }
 }
 
 fn list(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let rows = picker.rows();
     if rows.is_empty() {
-        let style = theme::part(ScreenPart::Text);
-        paragraph(app, words().nothing_matches(), area, style, buffer);
+        paragraph(
+            app,
+            words().nothing_matches(),
+            area,
+            ScreenPart::Text,
+            buffer,
+        );
         return;
     }
     let cursor = rows
         .iter()
         .position(|row| matches!(row, PickerRow::Item(_, true)));
-    let (first, most) = first_and_most(cursor.unwrap_or(0), rows.len(), area);
-    mark_more(area, first > 0, first < most, buffer);
-    for (y, row) in (area.top()..area.bottom()).zip(&rows[first..]) {
-        let line = Rect {
-            y,
-            height: 1,
-            ..area
-        };
-        match *row {
+    for (at, line) in list_rows(cursor.unwrap_or(0), rows.len(), area, buffer) {
+        match rows[at] {
             PickerRow::Folder(path) => {
                 let path = path.display().to_string();
-                heading(
-                    &ending(&shown(&path, app.glyphs()), area.width.into()),
-                    line,
-                    buffer,
-                );
+                let path = ending(&shown(&path, app.glyphs()), area.width.into());
+                print_line(buffer, line, &path, ScreenPart::Quiet);
             }
-            PickerRow::Presets => heading(words().presets(), line, buffer),
+            PickerRow::Presets => print_line(buffer, line, words().presets(), ScreenPart::Quiet),
             PickerRow::Note(note) => {
-                let text = cut(&shown(note, app.glyphs()), usize::from(area.width) - 2);
-                print(
-                    buffer,
-                    line.x + 2,
-                    y,
-                    line.width,
-                    &text,
-                    theme::part(ScreenPart::Quiet),
-                );
+                let line = split_columns(line, INDENT).1;
+                let text = cut(&shown(note, app.glyphs()), line.width.into());
+                print_line(buffer, line, &text, ScreenPart::Quiet);
             }
             PickerRow::Item(item, under_cursor) => entry(app, item, under_cursor, line, buffer),
         }
     }
-}
-
-/// Returns the first visible line of a list, such that the cursor is centred if possible, and the
-/// maximum of that line.
-pub(super) fn first_and_most(cursor: usize, lines: usize, area: Rect) -> (usize, usize) {
-    let height = usize::from(area.height).max(1);
-    let most = lines.saturating_sub(height);
-    (cursor.saturating_sub(height / 2).min(most), most)
-}
-
-pub(super) fn heading(text: &str, area: Rect, buffer: &mut Buffer) {
-    let style = theme::part(ScreenPart::Quiet);
-    print(buffer, area.x, area.y, area.width, text, style);
 }
 
 fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &mut Buffer) {
@@ -178,18 +146,9 @@ fn entry(app: &App, item: &PickerItem, under_cursor: bool, area: Rect, buffer: &
     // Titles are aligned in a column.
     let x = x + NAMES;
     if area.right() >= x + MIN_TITLE_LEN && columns(&name) < NAMES {
-        let title = cut(
-            &shown(&item.title, app.glyphs()),
-            usize::from(area.right() - x),
-        );
-        print(
-            buffer,
-            x,
-            area.y,
-            area.right() - x,
-            &title,
-            part(ScreenPart::Quiet),
-        );
+        let room = area.right() - x;
+        let title = cut(&shown(&item.title, app.glyphs()), room.into());
+        print(buffer, x, area.y, room, &title, part(ScreenPart::Quiet));
     }
 }
 
@@ -197,32 +156,19 @@ fn preview(app: &App, picker: &Picker, area: Rect, buffer: &mut Buffer) {
     let Some(item) = picker.chosen() else {
         return;
     };
-    let (title, below) = split(area, 1);
+    let below = split(area, 1).1;
     let name = match app.preview() {
         Some(Preview::Scene(sample)) => &sample.scene.title(),
         Some(Preview::Fault(_) | Preview::Folder(_) | Preview::Unseen(_)) | None => &item.name,
     };
     let name = cut(&shown(name, app.glyphs()), area.width.into());
-    print(
-        buffer,
-        title.x,
-        title.y,
-        title.width,
-        &name,
-        theme::part(ScreenPart::Title),
-    );
+    print_line(buffer, area, &name, ScreenPart::Title);
     match app.preview() {
         Some(Preview::Scene(sample)) => scene(app, sample, below, buffer),
         Some(Preview::Fault(fault)) => faulty(app, fault, below, buffer),
         Some(Preview::Folder(names)) => folder(app, names, below, buffer),
         Some(Preview::Unseen(why)) => {
-            paragraph(
-                app,
-                why,
-                split(below, 1).1,
-                theme::part(ScreenPart::Text),
-                buffer,
-            );
+            paragraph(app, why, split(below, 1).1, ScreenPart::Text, buffer);
         }
         None => {}
     }
@@ -244,14 +190,10 @@ fn scene(app: &App, sample: &Sample, area: Rect, buffer: &mut Buffer) {
         Layers::default(),
     );
     let view = drawing::WorldView::fit(&sample.reach, picture.width, picture.height, app.aspect());
-    super::show(
-        &drawing::render(&figure, &view, app.glyphs()),
-        picture,
-        buffer,
-    );
-    for (y, (fact, part)) in (text.top()..text.bottom()).zip(facts) {
-        let fact = shown(&fact, app.glyphs());
-        print(buffer, text.x, y, text.width, &fact, theme::part(part));
+    let raster = drawing::render(&figure, &view, app.glyphs());
+    super::show(&raster, picture, buffer);
+    for (line, (fact, part)) in text.rows().zip(facts) {
+        print_line(buffer, line, &shown(&fact, app.glyphs()), part);
     }
 }
 
@@ -284,38 +226,20 @@ fn facts(sample: &Sample, width: usize) -> Vec<(String, ScreenPart)> {
 
 /// Renders the first fault, its place and its fix.
 fn faulty(app: &App, fault: &Unopenable, area: Rect, buffer: &mut Buffer) {
-    let area = split(area, 1).1;
-    let area = paragraph(
-        app,
-        words().cannot_be_opened(),
-        area,
-        theme::part(ScreenPart::Warning),
-        buffer,
-    );
-    let area = paragraph(
-        app,
-        &fault.what,
-        area,
-        theme::part(ScreenPart::Text),
-        buffer,
-    );
-    let mut area = area;
+    let mut area = split(area, 1).1;
+    let mut say = |text: &str, above: u16, part| {
+        area = paragraph(app, text, split(area, above).1, part, buffer);
+    };
+    say(words().cannot_be_opened(), 0, ScreenPart::Warning);
+    say(&fault.what, 0, ScreenPart::Text);
     if let Some((line, column)) = fault.at {
-        let place = words().line_and_column(line, column);
-        area = paragraph(app, &place, area, theme::part(ScreenPart::Quiet), buffer);
+        say(&words().line_and_column(line, column), 0, ScreenPart::Quiet);
     }
     if let Some(mend) = &fault.mend {
-        area = paragraph(
-            app,
-            mend,
-            split(area, 1).1,
-            theme::part(ScreenPart::Text),
-            buffer,
-        );
+        say(mend, 1, ScreenPart::Text);
     }
     if fault.more > 0 {
-        let more = words().more_below(fault.more);
-        paragraph(app, &more, area, theme::part(ScreenPart::Quiet), buffer);
+        say(&words().more_below(fault.more), 0, ScreenPart::Quiet);
     }
 }
 
@@ -323,7 +247,7 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
     let area = split(area, 1).1;
     if names.is_empty() {
         let none = words().no_scene_file_in_it();
-        paragraph(app, none, area, theme::part(ScreenPart::Quiet), buffer);
+        paragraph(app, none, area, ScreenPart::Quiet, buffer);
         return;
     }
     let height = usize::from(area.height);
@@ -333,21 +257,13 @@ fn folder(app: &App, names: &[String], area: Rect, buffer: &mut Buffer) {
     } else {
         height.saturating_sub(1)
     };
-    for (y, name) in (area.top()..area.bottom()).zip(names.iter().take(seen)) {
+    for (line, name) in area.rows().zip(names.iter().take(seen)) {
         let name = cut(&shown(name, app.glyphs()), area.width.into());
-        print(
-            buffer,
-            area.x,
-            y,
-            area.width,
-            &name,
-            theme::part(ScreenPart::Text),
-        );
+        print_line(buffer, line, &name, ScreenPart::Text);
     }
     if !is_whole && area.height > 0 {
         let more = words().and_more(names.len() - seen);
-        let style = theme::part(ScreenPart::Quiet);
-        print(buffer, area.x, area.bottom() - 1, area.width, &more, style);
+        print_line(buffer, row(area, area.height - 1), &more, ScreenPart::Quiet);
     }
 }
 
@@ -356,26 +272,14 @@ pub(super) fn paragraph(
     app: &App,
     text: &str,
     area: Rect,
-    style: ratatui::style::Style,
+    part: ScreenPart,
     buffer: &mut Buffer,
 ) -> Rect {
     let lines = wrapped(&shown(text, app.glyphs()), area.width.into());
-    for (y, line) in (area.top()..area.bottom()).zip(&lines) {
-        let line = cut(line, area.width.into());
-        print(buffer, area.x, y, area.width, &line, style);
+    for (row, line) in area.rows().zip(&lines) {
+        print_line(buffer, row, &cut(line, area.width.into()), part);
     }
     split(area, u16::try_from(lines.len()).unwrap_or(area.height)).1
-}
-
-/// Splits an area into its first `height` lines and the rest.
-pub(super) fn split(area: Rect, height: u16) -> (Rect, Rect) {
-    let height = height.min(area.height);
-    let below = Rect {
-        y: area.y + height,
-        height: area.height - height,
-        ..area
-    };
-    (Rect { height, ..area }, below)
 }
 
 /// Returns the text, or two points and its last characters if it is longer than `most`. The end of

@@ -10,11 +10,14 @@ pub(crate) mod curves;
 mod excursion_note;
 pub(crate) mod list;
 
-use super::pane::{Copied, Need, Pane, PaneSpot};
-use super::{Sketch, columns, cut, first_seen, inset, mark_more, page, print, print_right, show};
+use super::pane::{Copied, Pane, PaneSpot};
+use super::{
+    Sketch, columns, cut, first_seen, inset, list_rows, mark_more, page, print, print_line,
+    print_right, show, split, split_columns,
+};
 use crate::drawing::plot::{Plot, PlotStyle};
 use crate::page::Line;
-use crate::quantity::{Abscissa, Subject};
+use crate::quantity::{Abscissa, Quantity, Subject};
 use crate::tui::app::{App, Mode, View};
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::commands::action::{Action, PlotsAction};
@@ -56,18 +59,9 @@ fn arrange(app: &App, area: Rect) -> PlotAreas {
             plot: None,
         };
     }
-    let list = Rect {
-        width: LIST,
-        ..area
-    };
-    let plot = Rect {
-        x: whole.x + LIST,
-        width: whole.width - LIST,
-        ..whole
-    };
     PlotAreas {
-        list: Some(inset(list)),
-        plot: Some(plot),
+        list: Some(inset(split_columns(area, LIST).0)),
+        plot: Some(split_columns(whole, LIST).1),
     }
 }
 
@@ -75,10 +69,6 @@ fn arrange(app: &App, area: Rect) -> PlotAreas {
 pub(super) struct PlotsView;
 
 impl Pane for PlotsView {
-    fn name(&self) -> &'static str {
-        "plots"
-    }
-
     fn view(&self) -> View {
         View::Plots
     }
@@ -88,18 +78,6 @@ impl Pane for PlotsView {
             Mode::PlotList(list) => list.subject(),
             _ => None,
         }
-    }
-
-    fn about(&self) -> &'static str {
-        words().plotted_over_the_motion()
-    }
-
-    fn help_title(&self) -> &'static str {
-        words().in_the_plots()
-    }
-
-    fn needs(&self) -> Need {
-        Need::Curves
     }
 
     fn render(&self, app: &App, _sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
@@ -118,9 +96,9 @@ impl Pane for PlotsView {
 
     fn under(&self, app: &App, body: Rect, at: Position) -> Option<PaneSpot> {
         let area = arrange(app, body).plot.filter(|area| area.contains(at))?;
-        let plot = app.plots().plot().ok()?;
+        let plot = app.views.plots.plot().ok()?;
         let along = || plot.along(&style(app, area), at.x - area.x);
-        match app.plots().curves()?.abscissa {
+        match app.views.plots.curves()?.abscissa {
             Abscissa::Driver => along().map(PaneSpot::Along),
             Abscissa::Time if app.open_scene().timetable().is_some() => along().map(PaneSpot::Time),
             Abscissa::Time | Abscissa::Figure(_) => None,
@@ -131,15 +109,17 @@ impl Pane for PlotsView {
         if let Some((_, lines)) = read(app, body) {
             return (lines.len(), inset(body).height.into());
         }
-        match (arrange(app, body).list, app.mode(), app.plots().plot()) {
-            (Some(body), Mode::PlotList(list), _) => (list.count().0, list_rows(app, body).into()),
+        match (arrange(app, body).list, app.mode(), app.views.plots.plot()) {
+            (Some(body), Mode::PlotList(list), _) => {
+                (list.list.count().0, rows_of_list(app, body).height.into())
+            }
             (_, _, Ok(plot)) => (plot.panels.len(), plot.panels_in(body.height)),
             (_, _, Err(_)) => (0, 0),
         }
     }
 
     fn is_timed(&self, app: &App) -> bool {
-        app.plots().is_timed()
+        app.views.plots.is_timed()
     }
 
     fn hints(&self, _app: &App) -> &'static [Action] {
@@ -156,20 +136,21 @@ impl Pane for PlotsView {
     }
 
     fn copy(&self, app: &App) -> Copied {
-        app.plots().curves().map_or(Copied::Nothing, |curves| {
-            let here = app.plots().here(app.open_scene());
+        app.views.plots.curves().map_or(Copied::Nothing, |curves| {
+            let here = app.views.plots.here(app.open_scene());
             Copied::Text(copying::plotted(curves, app.open_scene().at(), here))
         })
     }
 
     fn csv(&self, app: &App) -> Result<String, String> {
-        app.plots()
+        app.views
+            .plots
             .csv(app.csv_dialect())
             .ok_or_else(|| words().nothing_plotted_to_write().into())
     }
 
     fn svg(&self, app: &App) -> Result<(&'static str, String), String> {
-        let text = app.plots().svg(app.open_scene());
+        let text = app.views.plots.svg(app.open_scene());
         let text = text.ok_or(words().nothing_plotted_to_write())?;
         Ok((words().the_plot(), text))
     }
@@ -187,20 +168,19 @@ fn read(app: &App, body: Rect) -> Option<(usize, Vec<Line>)> {
     let first = list.read()?;
     Some((
         first,
-        page::lines(app, app.plots().noted_page(), inset(body)),
+        page::lines(app, app.views.plots.noted_page(), inset(body)),
     ))
 }
 
 fn render_read(app: &App, first: usize, lines: &[Line], area: Rect, buffer: &mut Buffer) {
     let first = first_seen(first, lines.len(), area, buffer);
-    for (y, line) in (area.top()..area.bottom()).zip(lines.iter().skip(first)) {
-        let row = Rect { y, ..area };
+    for (row, line) in area.rows().zip(lines.iter().skip(first)) {
         page::render_line((app.glyphs(), app.colours()), line, row, buffer);
     }
 }
 
 fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
-    let plot = match app.plots().plot() {
+    let plot = match app.views.plots.plot() {
         Ok(plot) => plot,
         Err(why) => {
             tell(app, why, area, buffer);
@@ -209,7 +189,7 @@ fn render_plot(app: &App, area: Rect, buffer: &mut Buffer) {
     };
     let area = tell_what_is_hidden(app, area, buffer);
     let look = style(app, area);
-    let here = app.plots().here(app.open_scene());
+    let here = app.views.plots.here(app.open_scene());
     let raster = plot.render(&look, here.as_ref());
     show(&raster, area, buffer);
     mark_panels(plot, &look, area, buffer);
@@ -222,34 +202,23 @@ fn style(app: &App, area: Rect) -> PlotStyle {
         rows: area.height,
         glyphs: app.glyphs(),
         aspect: app.aspect(),
-        extrema: app.plots().extrema(),
-        first: app.scroll(View::Plots),
+        extrema: app.views.plots.extrema(),
+        first: app.views.scroll[View::Plots as usize],
     }
 }
 
 /// Prints the reason why some curves are hidden, and returns the area below it.
 fn tell_what_is_hidden(app: &App, area: Rect, buffer: &mut Buffer) -> Rect {
-    let Some(why) = app.plots().hidden() else {
+    let Some(why) = app.views.plots.hidden() else {
         return area;
     };
     let lines = crate::page::wrapped(&shown(&why, app.glyphs()), area.width.into());
     let height = u16::try_from(lines.len()).unwrap_or(area.height);
-    let height = height.min(area.height / 2);
-    for (y, line) in (area.top()..area.top() + height).zip(&lines) {
-        print(
-            buffer,
-            area.x,
-            y,
-            area.width,
-            line,
-            theme::part(ScreenPart::Text),
-        );
+    let (told, rest) = split(area, height.min(area.height / 2));
+    for (row, line) in told.rows().zip(&lines) {
+        print_line(buffer, row, line, ScreenPart::Text);
     }
-    Rect {
-        y: area.y + height,
-        height: area.height - height,
-        ..area
-    }
+    rest
 }
 
 /// Marks at the right edge if there are more panels above or below.
@@ -292,19 +261,12 @@ fn tell(app: &App, why: &str, area: Rect, buffer: &mut Buffer) {
 }
 
 fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
-    let (found, all) = list.count();
+    let (found, all) = list.list.count();
     let quiet = theme::part(ScreenPart::Quiet);
     match list.search() {
         None => {
-            print(
-                buffer,
-                area.x,
-                area.y,
-                area.width,
-                words().plot_what(),
-                quiet,
-            );
-            let count = words().some_of(app.plots().count(), all);
+            print_line(buffer, area, words().plot_what(), ScreenPart::Quiet);
+            let count = words().some_of(app.views.plots.count(), all);
             print_right(buffer, area.right(), area.y, &count, quiet);
         }
         Some((text, typing)) => {
@@ -312,87 +274,75 @@ fn render_list(app: &App, list: &PlotList, area: Rect, buffer: &mut Buffer) {
             let skipped = text.len().saturating_sub(room.saturating_sub(1));
             let seen = text.get(skipped..).unwrap_or_default();
             let x = print(buffer, area.x, area.y, area.width, "/", quiet);
-            let x = print(
-                buffer,
-                x,
-                area.y,
-                area.width,
-                seen,
-                theme::part(ScreenPart::Text),
-            );
+            let style = theme::part(ScreenPart::Text);
+            let x = print(buffer, x, area.y, area.width, seen, style);
             if typing {
                 print(buffer, x, area.y, 1, " ", theme::part(ScreenPart::Caret));
             }
             print_right(buffer, area.right(), area.y, &found.to_string(), quiet);
         }
     }
-    let rows = Rect {
-        y: area.y + HEAD,
-        height: list_rows(app, area),
-        ..area
-    };
+    let rows = rows_of_list(app, area);
     if found == 0 {
-        print(
+        print_line(
             buffer,
-            rows.x,
-            rows.y,
-            rows.width,
+            rows,
             words().no_figure_has_that(),
-            quiet,
+            ScreenPart::Quiet,
         );
         return;
     }
-    // The cursor is centred if possible.
-    let height = usize::from(rows.height).max(1);
-    let most = found.saturating_sub(height);
-    let first = list.cursor().saturating_sub(height / 2).min(most);
-    let seen = list.rows().enumerate().skip(first);
-    for (y, (i, (name, unit))) in (rows.top()..rows.bottom()).zip(seen) {
-        let is_here = i == list.cursor();
-        let part = |other| theme::part(if is_here { ScreenPart::Key } else { other });
-        let mark = match (is_here, app.plots().is_chosen(name)) {
-            (true, true) => "> [x] ",
-            (true, false) => "> [ ] ",
-            (false, true) => "  [x] ",
-            (false, false) => "  [ ] ",
-        };
-        let x = print(buffer, rows.x, y, rows.width, mark, part(ScreenPart::Text));
-        let plot = app.plots().plot().ok();
-        if let Some(role) = plot.and_then(|plot| plot.role_of(name)) {
-            // The mark between the brackets has the curve's hue.
-            let sign = &mark[MARKED..=MARKED];
-            print(
-                buffer,
-                rows.x + columns(&mark[..MARKED]),
-                y,
-                1,
-                sign,
-                theme::role(role),
-            );
-        }
-        let room = rows.right().saturating_sub(x);
-        let name = cut(name, usize::from(NAME.min(room)));
-        let name = shown(&name, app.glyphs());
-        print(buffer, x, y, room, &name, part(ScreenPart::Name));
-        let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
-        let room = rows.right().saturating_sub(x);
-        print(buffer, x, y, room, unit, part(ScreenPart::Quiet));
+    let (listed, cursor): (Vec<_>, _) = (list.list.listed().collect(), list.list.cursor());
+    for (at, row) in list_rows(cursor, found, rows, buffer) {
+        render_row(app, listed[at], at == cursor, row, buffer);
     }
-    mark_more(rows, first > 0, first < most, buffer);
-    let notes = app.plots().noted();
-    for (y, line) in (rows.bottom() + 1..area.bottom()).zip(notes) {
+    let notes = app.views.plots.noted();
+    for (row, line) in area
+        .rows()
+        .skip_while(|row| row.y <= rows.bottom())
+        .zip(notes)
+    {
         let line = cut(&shown(line, app.glyphs()), area.width.into());
-        print(buffer, area.x, y, area.width, &line, quiet);
+        print_line(buffer, row, &line, ScreenPart::Quiet);
     }
 }
 
-/// Returns the height of the list. The summary of the selected quantity is below it, if both fit.
-fn list_rows(app: &App, area: Rect) -> u16 {
-    let all = area.height.saturating_sub(HEAD);
-    let notes = u16::try_from(app.plots().noted().len()).unwrap_or(0);
-    match notes > 0 && all >= 2 * (notes + 1) {
-        true => all - notes - 1,
-        false => all,
+/// Renders a quantity of the list: the cursor, the mark of a plotted one, its name and its unit.
+fn render_row(app: &App, quantity: &Quantity, is_here: bool, row: Rect, buffer: &mut Buffer) {
+    let part = |other| theme::part(if is_here { ScreenPart::Key } else { other });
+    let mark = match (is_here, app.views.plots.is_chosen(&quantity.name)) {
+        (true, true) => "> [x] ",
+        (true, false) => "> [ ] ",
+        (false, true) => "  [x] ",
+        (false, false) => "  [ ] ",
+    };
+    let style = part(ScreenPart::Text);
+    let x = print(buffer, row.x, row.y, row.width, mark, style);
+    let plot = app.views.plots.plot().ok();
+    if let Some(role) = plot.and_then(|plot| plot.role_of(&quantity.name)) {
+        // The mark between the brackets has the curve's hue.
+        let at = row.x + columns(&mark[..MARKED]);
+        let sign = &mark[MARKED..=MARKED];
+        print(buffer, at, row.y, 1, sign, theme::role(role));
+    }
+    let room = row.right().saturating_sub(x);
+    let name = cut(&quantity.name, usize::from(NAME.min(room)));
+    let name = shown(&name, app.glyphs());
+    print(buffer, x, row.y, room, &name, part(ScreenPart::Name));
+    let x = (x + NAME + 1).min(x + columns(&name).max(9) + 1);
+    let room = row.right().saturating_sub(x);
+    let style = part(ScreenPart::Quiet);
+    print(buffer, x, row.y, room, &quantity.unit, style);
+}
+
+/// Returns the area of the list's rows. The summary of the selected quantity is below them, if both
+/// fit.
+fn rows_of_list(app: &App, area: Rect) -> Rect {
+    let rows = split(area, HEAD).1;
+    let notes = u16::try_from(app.views.plots.noted().len()).unwrap_or(0);
+    match notes > 0 && rows.height >= 2 * (notes + 1) {
+        true => split(rows, rows.height - notes - 1).0,
+        false => rows,
     }
 }
 

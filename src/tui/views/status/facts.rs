@@ -22,7 +22,7 @@ pub(in crate::tui::views) fn mode(app: &App) -> &'static str {
         Mode::Tour(_) => words().tour(),
         Mode::GoTo(_) => words().go_to(),
         Mode::Guess(_) => words().guess(),
-        Mode::Goal(_) | Mode::GoalRun => words().goal(),
+        Mode::Goal(_) | Mode::GoalRun(_) => words().goal(),
         Mode::Palette(_) => words().commands(),
         Mode::Assemblies(_) | Mode::PlotList(_) => words().choosing(),
         Mode::FileName(Prompt { content, .. }) | Mode::Confirm(Question { content, .. }) => {
@@ -116,7 +116,7 @@ pub(super) fn driver_in_time(app: &App) -> String {
 
 /// Returns the progress of the view's work, which then replaces the driver.
 pub(super) fn progress(app: &App) -> Option<String> {
-    let is_normal = *app.mode() == Mode::Normal;
+    let is_normal = app.mode().is_normal();
     is_normal.then(|| app.view().pane().progress(app)).flatten()
 }
 
@@ -165,7 +165,7 @@ pub(super) fn near(app: &App) -> Option<String> {
 
 /// Returns the error bound of the shown values in at most `room` columns.
 pub(super) fn trust(app: &App, room: u16) -> Option<String> {
-    let shows_figures = *app.mode() == Mode::Normal && app.condition() == Condition::Ok;
+    let shows_figures = app.mode().is_normal() && app.condition() == Condition::Ok;
     shows_figures
         .then(|| app.view().pane().trust(app, room))
         .flatten()

@@ -1,7 +1,7 @@
 //! The hints of the keys that are useful now.
 
 use super::{Writer, is_listing};
-use crate::tui::app::{App, Mode, View};
+use crate::tui::app::{App, BackTarget, Mode};
 use crate::tui::commands::action::{Action, PlotsAction, SceneAction, entry_of};
 use crate::tui::commands::key::Key;
 use crate::tui::views::accuracy::study_run::Phase;
@@ -34,12 +34,15 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         let narrow = app.size().width < ROOM_FOR_WORDS;
         let hints = match list.read() {
             Some(_) => vec![(Key::Escape, words().back()), (Key::Down, words().scroll())],
-            None => list_hints(list.is_typing(), narrow),
+            None => list_hints(list.typing, narrow),
         };
         for (key, name) in hints {
             line.hint(&key.to_string(), name);
         }
         return;
+    }
+    if app.mode().is_normal() && app.views.searched == Some(app.view()) {
+        line.hint("n N", words().next());
     }
     let listing = is_listing(app);
     let can_scroll = listing || most_scroll(app) > 0;
@@ -48,7 +51,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
     }
     for &action in offered(app) {
         if (action == Action::LineDown && !can_scroll)
-            || (action == FIT && app.viewport().lens.fits())
+            || (action == FIT && app.views.viewport.lens.fits())
         {
             continue;
         }
@@ -70,7 +73,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
 
 /// Returns the keys that switch between panes, if there are several.
 fn pane_actions(app: &App) -> Vec<(String, &'static str)> {
-    if *app.mode() != Mode::Normal || app.standing().len() < 2 {
+    if !app.mode().is_normal() || app.standing().len() < 2 {
         return Vec::new();
     }
     let actions = [Action::NextPane, Action::Alone];
@@ -89,7 +92,6 @@ fn offered(app: &App) -> &'static [Action] {
             Action::Search,
             Action::NextView,
             Action::LineDown,
-            Action::Quit,
         ],
         Mode::Tour(_) => &[Action::Back, Action::StepForward, Action::StepBack],
         Mode::Assemblies(_) => &[Action::Back, Action::LineDown, Action::Save, Action::Help],
@@ -109,12 +111,16 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         Action::Scene(SceneAction::Gather) if app.editor().gathered.is_some() => {
             words().make_gathered()
         }
-        Action::Back if app.editor().gathered.is_some() && app.view() == View::Scene => {
-            words().drop_gathered()
-        }
         Action::Back if matches!(app.mode(), Mode::Tour(_)) => words().end(),
-        Action::Back if app.is_watching() && *app.mode() == Mode::Normal => words().back(),
-        Action::Back if app.is_working() && *app.mode() == Mode::Normal => words().stop(),
+        Action::Back if app.mode().is_normal() => match app.back_target() {
+            BackTarget::StagedEdits => words().drop_gathered(),
+            BackTarget::Study => words().stop(),
+            BackTarget::Tolerance
+            | BackTarget::Method
+            | BackTarget::Pane
+            | BackTarget::Comparison
+            | BackTarget::Search => words().back(),
+        },
         Action::LineDown if matches!(app.mode(), Mode::Assemblies(_)) => words().next(),
         Action::NextView if let Mode::Help(help) = app.mode() => match help.topic() {
             None => words().manual(),
@@ -122,10 +128,10 @@ fn hint_of(app: &App, action: Action) -> Option<(String, &'static str)> {
         },
         Action::Plots(PlotsAction::Choose) => words().choose(),
         Action::Plots(PlotsAction::Abscissa) => words().along_x(),
-        Action::Look(_) if app.study_run().phase() == Phase::Stopped && is_looked_at => {
+        Action::Look(_) if app.views.study_run.phase() == Phase::Stopped && is_looked_at => {
             words().go_on()
         }
-        Action::Look(_) if app.study_run().phase() == Phase::Done && is_looked_at => {
+        Action::Look(_) if app.views.study_run.phase() == Phase::Done && is_looked_at => {
             words().again()
         }
         _ => (entry_of(action).hint)(words()),

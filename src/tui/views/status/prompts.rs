@@ -3,7 +3,7 @@
 use super::facts::mode;
 use super::{ROOM_FOR_GAPS, Writer};
 use crate::scene::Value;
-use crate::tui::app::{App, Mode};
+use crate::tui::app::{App, GoalRun, Mode};
 use crate::tui::appearance::theme::ScreenPart;
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::key::Key;
@@ -22,7 +22,7 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) -> bool {
         Mode::GoTo(typed) => coordinate(app, typed, line),
         Mode::Guess(typed) => example(typed, words().guesses_are_typed(), app, line),
         Mode::Goal(typed) => example(typed, &goal_example(app), app, line),
-        Mode::GoalRun => design(app, line),
+        Mode::GoalRun(run) => design(app, run, line),
         Mode::FileName(prompt) => file_name(app, &prompt.name, line),
         Mode::Recovery(_) => offered(app, line),
         // The question itself is in the middle of the screen.
@@ -63,11 +63,8 @@ fn goal_example(app: &App) -> String {
 }
 
 /// Renders the progress of the search for designs, or the selected design with its keys.
-fn design(app: &App, line: &mut Writer<'_>) {
+fn design(app: &App, run: &GoalRun, line: &mut Writer<'_>) {
     line.gap(1);
-    let Some(run) = app.goal_run() else {
-        return;
-    };
     let key = |action| app.keymap().told(action);
     let back = (key(Action::Back), words().cancel());
     if let Some(percent) = run.percent() {
@@ -115,7 +112,11 @@ fn example(typed: &EditLine, example: &str, app: &App, line: &mut Writer<'_>) {
 fn file_name(app: &App, typed: &EditLine, line: &mut Writer<'_>) {
     line.gap(1);
     line.say(words().write_to(), ScreenPart::Text);
-    line.typed(&shown(typed.text(), app.glyphs()));
+    let text = shown(typed.text(), app.glyphs());
+    match typed.is_proposal() {
+        true => line.proposed(&text),
+        false => line.typed(&text),
+    }
     end(words().writing(), words().cancel(), app, line);
 }
 

@@ -95,10 +95,19 @@ impl<'a> Writer<'a> {
 
     /// Writes the end of typed text that fits, with the caret behind it.
     pub(super) fn typed(&mut self, text: &str) {
+        self.with_caret(text, ScreenPart::Text);
+    }
+
+    /// Writes a proposal, marked as text that the first key replaces.
+    pub(super) fn proposed(&mut self, text: &str) {
+        self.with_caret(text, ScreenPart::Cursor);
+    }
+
+    fn with_caret(&mut self, text: &str, part: ScreenPart) {
         let room = usize::from(self.room().saturating_sub(1));
         let skipped = text.chars().count().saturating_sub(room);
         let seen: String = text.chars().skip(skipped).collect();
-        self.say(&seen, ScreenPart::Text);
+        self.say(&seen, part);
         self.say(" ", ScreenPart::Caret);
     }
 

@@ -10,7 +10,7 @@
 pub(crate) mod screens;
 
 use super::popup::{self, BORDER};
-use super::{print, print_right};
+use super::{print_line, print_right};
 use crate::tui::app::App;
 use crate::tui::appearance::theme::{self, ScreenPart};
 use crate::tui::views::tour::screens::{SCREENS, TourScreen, screen, wrapped};
@@ -29,15 +29,8 @@ pub(super) fn render(app: &App, number: usize, area: Rect, buffer: &mut Buffer) 
     let title = words().tour_title(number + 1, SCREENS, screen.title);
     popup::frame(app.glyphs(), place, &title, buffer);
     let inner = popup::within(place);
-    for (y, line) in (inner.top()..inner.bottom()).zip(&text) {
-        print(
-            buffer,
-            inner.x,
-            y,
-            inner.width,
-            line,
-            theme::part(ScreenPart::Text),
-        );
+    for (row, line) in inner.rows().zip(&text) {
+        print_line(buffer, row, line, ScreenPart::Text);
     }
     let next = match number + 1 < SCREENS {
         true => words().next(),

@@ -13,6 +13,11 @@ catalogue! {
         turns_to_manual(key: &dyn Display) = "{key} manual";
         shows_more(key: &dyn Display) = "{key} for more";
         no_command_is_that = "no such command";
+        save_and_quit = "save and quit";
+        save_to(file: &str) = "save to {file}";
+        open_named(name: &str) = "open {name}";
+        go_to_coordinate(at: &str) = "go to {at}";
+        theme_is(name: &str) = "theme: {name}";
         manual_of(topic: &str, about: &str) = "manual, {topic}: {about}";
         manual_tells_of_it(topics: &str) = "see the manual: {topics}";
         manual_title = "krank manual";

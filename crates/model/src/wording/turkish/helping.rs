@@ -13,6 +13,11 @@ catalogue! {
         turns_to_manual(key: &dyn Display) = "{key} el kitabı";
         shows_more(key: &dyn Display) = "{key} devamı";
         no_command_is_that = "böyle bir komut yok";
+        save_and_quit = "kaydet ve çık";
+        save_to(file: &str) = "{file} dosyasına kaydet";
+        open_named(name: &str) = "{name} aç";
+        go_to_coordinate(at: &str) = "{at} konumuna git";
+        theme_is(name: &str) = "tema: {name}";
         manual_of(topic: &str, about: &str) = "el kitabı, {topic}: {about}";
         manual_tells_of_it(topics: &str) = "el kitabına bakın: {topics}";
         manual_title = "krank el kitabı";
