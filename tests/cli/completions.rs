@@ -36,24 +36,28 @@ fn every_shell_has_commands_presets_tasks_and_topics() {
     assert!(!script.contains(&line("list", &names)));
 }
 
-/// `--columns` of five commands, and `--against` of plots. A study takes other names.
+/// Columns: `--columns` of five commands, and `--against` of plots. Values of the whole motion:
+/// `--columns` of studies, and four options of `solve`.
 #[test]
-fn options_with_columns_look_them_up() {
+fn options_with_names_of_the_scene_look_them_up() {
     for (shell, call) in [
-        ("bash", "                    _krank_columns\n"),
-        ("fish", " -a \"(__fish_complete_list , __krank_columns)\"\n"),
-        ("nushell", "    columns-of $context\n"),
-        ("zsh", ":_krank_columns' \\\n"),
+        ("bash", "                    _krank_NAMES\n"),
+        ("fish", " -a \"(__fish_complete_list , __krank_NAMES)\"\n"),
+        ("nushell", "    NAMES-of $context\n"),
+        ("zsh", ":_krank_NAMES' \\\n"),
     ] {
         let script = done(&["completions", shell]);
-        assert!(!script.contains("KRANK-COLUMNS"), "{shell}");
-        assert_eq!(script.matches(call).count(), 6, "{shell}");
+        assert!(!script.contains("KRANK-"), "{shell}");
+        for (names, options) in [("columns", 6), ("figures", 5)] {
+            let calls = script.matches(&call.replace("NAMES", names)).count();
+            assert_eq!(calls, options, "{shell} {names}");
+        }
         let look_up = script.matches("--columns '*' --format csv").count();
         assert_eq!(look_up, 1, "{shell}");
     }
 }
 
-/// What bash lists behind these words.
+/// Returns what bash lists after these words.
 #[cfg(target_os = "linux")]
 fn listed(words: &[&str]) -> Vec<String> {
     let program = std::path::Path::new(env!("CARGO_BIN_EXE_krank"));
@@ -82,7 +86,7 @@ fn listed(words: &[&str]) -> Vec<String> {
 fn bash_lists_the_columns_of_the_scene() {
     let listed_columns = listed(&["table", "four-bar", "--columns", "C.v"]);
     assert_eq!(listed_columns, ["C.vx", "C.vy"]);
-    // Numbers of options are no scenes, and a list goes on behind its comma.
+    // Numbers of options are no scenes, and a list continues after its comma.
     let words = [
         "sweep",
         "--from",
@@ -95,4 +99,18 @@ fn bash_lists_the_columns_of_the_scene() {
     assert_eq!(listed(&["plot", "four-bar", "--against", "driver.p"]), [""]);
     assert_eq!(listed(&["table", "no-scene", "--columns", "C"]), [""]);
     assert!(listed(&["table", "jans"]).contains(&"jansen-leg".to_owned()));
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn bash_lists_values_of_the_whole_motion() {
+    let study = ["study", "four-bar", "--vary", "r2.length=90..110/3"];
+    let with = |words: &[&'static str]| listed(&[&study[..], words].concat());
+    let minima = with(&["--columns", "range.low,C.x.le"]);
+    assert_eq!(minima, ["range.low,C.x.least.at", "range.low,C.x.least"]);
+    assert_eq!(with(&["--columns", "trans"]), ["transmission"]);
+    // Properties follow a complete column only.
+    assert_eq!(with(&["--columns", "C.vx"]), ["C.vx"]);
+    let goal = ["solve", "four-bar", "--goal", "r4.angle.sw"];
+    assert_eq!(listed(&goal), ["r4.angle.swing"]);
 }

@@ -375,14 +375,27 @@ fn rates_of_every_preset_agree_with_central_differences() {
 /// Regression test: the rates of Peaucellier's cell at its limit were shown as if they existed, as
 /// 1e22 mm/s^2.
 #[test]
-fn dead_points_of_every_preset_are_reported_by_the_solver() {
+fn dead_points_of_every_preset_are_the_limits_of_its_geometry() {
     for Expected { name, .. } in &EXPECTED {
-        let scene = open(name);
-        let solver = solver(&scene);
+        let solver = solver(&freed(name));
+        let motion = solver.motion();
+        let limits = match motion.range {
+            Range::Full { .. } => vec![],
+            Range::Limited { low, high } => vec![low, high],
+        };
+        assert_eq!(motion.dead_points, limits, "{name}");
         let mut state = solver.state();
-        for &end in &solver.motion().dead_points {
-            let condition = solver.solve(end, Order::Acceleration, &mut state);
-            assert_eq!(condition, Condition::DeadPoint, "{name} at {end}");
+        let mut is_dead_point =
+            |at: f64| solver.solve(at, Order::Acceleration, &mut state) == Condition::DeadPoint;
+        for at in limits {
+            assert!(is_dead_point(at), "{name} at {at}");
         }
+        for at in places(motion.range) {
+            assert!(!is_dead_point(at), "{name} at {at}");
+        }
+    }
+    for (name, ..) in STOPS {
+        let stopped = solver(&open(name)).motion().dead_points.clone();
+        assert!(stopped.is_empty(), "{name}: {stopped:?}");
     }
 }

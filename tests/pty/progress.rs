@@ -133,10 +133,17 @@ fn ctrl_c_ends_a_command_blocked_on_a_full_pipe() {
     );
 }
 
+/// A slow reader keeps the sweep going until its progress was seen.
 #[test]
 fn progress_is_removed_when_the_sweep_ends() {
-    let sweep = "$KRANK sweep stephenson-six-bar --step 0.002 -o /dev/null; echo done";
-    let terminal = Terminal::run(sweep, "xterm", 80);
+    let mark = concat!(env!("CARGO_TARGET_TMPDIR"), "/progress-seen");
+    let _ = std::fs::remove_file(mark);
+    let read = "dd bs=4096 count=1 2>/dev/null; sleep 0.02";
+    let reader = format!("{{ until [ -e {mark} ]; do {read}; done; cat; }} > /dev/null");
+    let sweep = format!("$KRANK sweep four-bar --step 0.01 | {reader}; echo done");
+    let terminal = Terminal::run(&sweep, "xterm", 80);
+    terminal.wait_for(" left");
+    std::fs::write(mark, "").unwrap();
     terminal.wait_for("done");
     assert_eq!(terminal.contents().trim_end(), "done");
 }

@@ -10,8 +10,6 @@ use kinematics::{Body, Driver, Input, LinkId, Mechanism, PointId};
 #[derive(Debug)]
 pub(crate) struct Machine {
     pub(crate) solver: Solver,
-    #[cfg(test)]
-    pub(crate) b: PointId,
     pub(crate) c: PointId,
     /// The led point; `None` for a function.
     pub(crate) tracer: Option<PointId>,
@@ -61,8 +59,6 @@ impl Machine {
         let solver = Solver::new(&builder.build().ok()?).ok()?;
         Some(Machine {
             solver,
-            #[cfg(test)]
-            b,
             c,
             tracer,
             coupler,

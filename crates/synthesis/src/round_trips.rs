@@ -273,7 +273,9 @@ fn same_seed_gives_same_synthesis_for_any_thread_count() {
 /// in degrees, sampled by the solver.
 fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
     let machine = Machine::open(task, &candidate.proposal).expect("sound");
-    let Machine { solver, b, c, .. } = machine;
+    let Machine {
+        solver, c, coupler, ..
+    } = machine;
     let mut state = solver.state();
     let ends = candidate.at.iter().copied();
     let (low, high) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), at| {
@@ -289,12 +291,12 @@ fn sampled_transmission(task: &Task, candidate: &Candidate) -> f64 {
         if solver.solve(at, Order::Position, &mut state) == Condition::NoAssembly {
             return f64::NAN;
         }
-        let rod = state.position(c).unwrap() - state.position(b).unwrap();
+        let rod = state.direction(coupler).unwrap();
         let across = match candidate.proposal.partner {
             Partner::Rocker(d) => d - state.position(c).unwrap(),
             Partner::Slide(along) => unit(along).perp(),
         };
-        let sine = rod.cross(across).abs() / (rod.norm() * across.norm());
+        let sine = rod.cross(across).abs() / across.norm();
         least = least.min(sine.min(1.0).asin().to_degrees());
     }
     least

@@ -1,10 +1,12 @@
-//! Writes completion scripts for shells, with the names of presets, tasks, topics and columns.
+//! Writes completion scripts for shells, with the names of presets, tasks, topics and columns, and of
+//! values of the whole motion.
 
 use crate::cli::failure::Failure;
 use crate::cli::output::write_text;
 use crate::cli::screen::TextScreen;
 use crate::manual::TOPICS;
 use crate::scene::presets;
+use crate::study::CycleFigure;
 use crate::task_file::ExampleTask;
 use clap::builder::PossibleValuesParser;
 use clap::{Arg, Command, ValueEnum};
@@ -23,11 +25,15 @@ pub(in crate::cli) enum CompletionShell {
     Zsh,
 }
 
-/// Placeholder for the columns of a scene, which only the script can look up.
+/// Names that only the script can look up, because they depend on the scene: a placeholder for their
+/// list, and their part in the names of the shell functions.
+const SCENE_NAMES: [(&str, &str); 2] = [(COLUMNS, "columns"), (FIGURES, "figures")];
 const COLUMNS: &str = "KRANK-COLUMNS";
+const FIGURES: &str = "KRANK-FIGURES";
 
-/// The parts of a script that look up the columns.
-struct ColumnLookUp {
+/// The parts of a script that look up names of the scene. `NAMES` is their placeholder in `listed`, and
+/// their part in `call`.
+struct NameLookup {
     /// The shell functions for the lookup.
     functions: &'static str,
     /// The generated text after which the functions are inserted; empty for the start of the script.
@@ -45,57 +51,70 @@ pub(in crate::cli) fn completions(
     screen: TextScreen,
 ) -> Result<(), Failure> {
     let script = match shell {
-        CompletionShell::Bash => with_columns(Shell::Bash, krank, &BASH),
+        CompletionShell::Bash => with_lookup(Shell::Bash, krank, &BASH),
         CompletionShell::Elvish => generated(Shell::Elvish, with_names(krank.clone())),
-        CompletionShell::Fish => with_columns(Shell::Fish, krank, &FISH) + &fish_arguments(krank),
-        CompletionShell::Nushell => with_columns(Nushell, krank, &NUSHELL),
+        CompletionShell::Fish => with_lookup(Shell::Fish, krank, &FISH) + &fish_arguments(krank),
+        CompletionShell::Nushell => with_lookup(Nushell, krank, &NUSHELL),
         CompletionShell::PowerShell => generated(Shell::PowerShell, with_names(krank.clone())),
-        CompletionShell::Zsh => with_zsh_arguments(with_columns(Shell::Zsh, krank, &ZSH)),
+        CompletionShell::Zsh => with_zsh_arguments(with_lookup(Shell::Zsh, krank, &ZSH)),
     };
     write_text(None, &screen.shown(&script))
 }
 
-const BASH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("scripts/columns.bash"),
+const BASH: NameLookup = NameLookup {
+    functions: include_str!("scripts/names.bash"),
     behind: "",
-    listed: "COMPREPLY=($(compgen -W \"KRANK-COLUMNS\" -- \"${cur}\"))",
-    call: "_krank_columns",
+    listed: "COMPREPLY=($(compgen -W \"NAMES\" -- \"${cur}\"))",
+    call: "_krank_NAMES",
 };
-const ZSH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("scripts/columns.zsh"),
+const ZSH: NameLookup = NameLookup {
+    functions: include_str!("scripts/names.zsh"),
     behind: "autoload -U is-at-least\n\n",
-    listed: "(KRANK-COLUMNS)",
-    call: "_krank_columns",
+    listed: "(NAMES)",
+    call: "_krank_NAMES",
 };
-const FISH: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("scripts/columns.fish"),
+const FISH: NameLookup = NameLookup {
+    functions: include_str!("scripts/names.fish"),
     behind: "",
-    listed: "-a \"KRANK-COLUMNS\\t''\"",
-    call: "-a \"(__fish_complete_list , __krank_columns)\"",
+    listed: "-a \"NAMES\\t''\"",
+    call: "-a \"(__fish_complete_list , __krank_NAMES)\"",
 };
-const NUSHELL: ColumnLookUp = ColumnLookUp {
-    functions: include_str!("scripts/columns.nu"),
+const NUSHELL: NameLookup = NameLookup {
+    functions: include_str!("scripts/names.nu"),
     behind: "module completions {\n",
-    listed: "[] {\n    [ \"KRANK-COLUMNS\" ]",
-    call: "[context: string] {\n    columns-of $context",
+    listed: "[] {\n    [ \"NAMES\" ]",
+    call: "[context: string] {\n    NAMES-of $context",
 };
 
-/// Generates a script with the built-in names and the lookup of columns.
-fn with_columns(generator: impl Generator, krank: &Command, look_up: &ColumnLookUp) -> String {
-    let columns = |arg: &Arg| is_columns(arg).then(|| vec![COLUMNS]);
-    let krank = with_values(with_names(krank.clone()), columns);
-    let script = generated(generator, krank).replace(look_up.listed, look_up.call);
-    match script.split_once(look_up.behind) {
-        Some((before, after)) => [before, look_up.behind, look_up.functions, after].concat(),
+/// Generates a script with the built-in names and the lookup of names of the scene.
+fn with_lookup(generator: impl Generator, krank: &Command, lookup: &NameLookup) -> String {
+    let placeholder = |arg: &Arg| scene_names(arg).map(|placeholder| vec![placeholder]);
+    let krank = with_values(with_names(krank.clone()), placeholder);
+    let mut script = generated(generator, krank);
+    for (placeholder, names) in SCENE_NAMES {
+        let listed = lookup.listed.replace("NAMES", placeholder);
+        script = script.replace(&listed, &lookup.call.replace("NAMES", names));
+    }
+    let functions = (lookup.functions)
+        .replace("KRANK-WHOLE", &CycleFigure::WHOLE.join(" "))
+        .replace("KRANK-PROPERTIES", &CycleFigure::properties().join(" "));
+    match script.split_once(lookup.behind) {
+        Some((before, after)) => [before, lookup.behind, &functions, after].concat(),
         None => script,
     }
 }
 
-/// Returns `true` if the values of an option are columns of the scene.
-fn is_columns(arg: &Arg) -> bool {
+/// Returns the placeholder of an option whose values are columns, or values of the whole motion, of the
+/// scene.
+fn scene_names(arg: &Arg) -> Option<&'static str> {
     match arg.get_value_names() {
-        Some([name]) => name == "PATTERNS" || arg.get_id() == "against" && name == "NAME",
-        _ => false,
+        Some([name]) => match name.as_str() {
+            "PATTERNS" => Some(COLUMNS),
+            "NAME" if arg.get_id() == "against" => Some(COLUMNS),
+            "FIGURE" | "FIGURES" | "GOAL" => Some(FIGURES),
+            _ => None,
+        },
+        _ => None,
     }
 }
 

@@ -78,8 +78,7 @@ impl ValueEnum for View {
     }
 
     fn to_possible_value(&self) -> Option<PossibleValue> {
-        let pane = self.pane();
-        Some(PossibleValue::new(pane.name()).help(pane.about()))
+        Some(PossibleValue::new(self.name()).help(self.about()))
     }
 }
 

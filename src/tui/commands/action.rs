@@ -462,7 +462,6 @@ pub(crate) fn listed(keys: &[Key]) -> String {
 mod tests {
     use super::*;
     use crate::wording::{Language, words};
-    use std::collections::HashSet;
 
     #[test]
     fn actions_are_listed_once_and_have_keys() {
@@ -472,12 +471,6 @@ mod tests {
             seen.push(entry.action);
             assert!(!entry.keys.is_empty(), "{}", entry.name);
         }
-    }
-
-    #[test]
-    fn action_names_are_unique() {
-        let names: HashSet<&str> = entries().map(|entry| entry.name).collect();
-        assert_eq!(names.len(), entries().count());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 use super::*;
 use crate::tui::app::View;
-use crate::tui::commands::action::Action;
+use crate::tui::commands::action::{Action, entries};
 use crate::tui::commands::key::Key;
 
 /// Returns the text with every commented-out setting activated.
@@ -44,6 +44,17 @@ fn given_settings_override_defaults() {
     assert_eq!(action(Key::Char('.')), None);
     assert_eq!(config.keymap.key(Action::NextPreset), None);
     assert_eq!(Config::parse("\u{feff}", "t"), Ok(Config::default()));
+}
+
+#[test]
+fn every_action_can_be_bound_by_its_name() {
+    for entry in entries().filter(|entry| keys::is_free(entry)) {
+        let text = format!("[keys]\n{} = \"F12\"\n", entry.name);
+        let keymap = Config::parse(&text, "t").unwrap().keymap;
+        let bound = entries().filter(|of| keymap.keys(of.action) == [Key::Function(12)]);
+        let bound: Vec<Action> = bound.map(|of| of.action).collect();
+        assert_eq!(bound, [entry.action], "{}", entry.name);
+    }
 }
 
 /// Every fault names its line, the cause and a fix.

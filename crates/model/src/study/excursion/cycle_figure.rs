@@ -83,15 +83,22 @@ const PROPERTIES: [(&str, FigureProperty); 13] = [
     ("hardest", FigureProperty::Hardest),
 ];
 
-const WHOLE: [&str; 5] = [
-    "range",
-    "range.low",
-    "range.high",
-    "transmission",
-    "condition",
-];
-
 impl CycleFigure {
+    /// The names of values that do not belong to a column.
+    pub const WHOLE: [&str; 5] = [
+        "range",
+        "range.low",
+        "range.high",
+        "transmission",
+        "condition",
+    ];
+
+    /// Returns the properties that follow the name of a column and a dot.
+    #[must_use]
+    pub fn properties() -> [&'static str; 13] {
+        PROPERTIES.map(|(word, _)| word)
+    }
+
     /// Parses a cycle figure: `C.x.stroke`, `transmission.C`, `range.low`, `C.x@60`.
     ///
     /// # Errors
@@ -258,10 +265,9 @@ impl UnknownCycleFigure {
             Some((column, _)) => nearest(column, columns().map(|q| q.name.as_str()))
                 .map(|near| name.replacen(column, near, 1)),
             None if knows(before) => {
-                let words = PROPERTIES.iter().map(|(word, _)| *word);
-                nearest(behind, words).map(|word| format!("{before}.{word}"))
+                nearest(behind, CycleFigure::properties()).map(|word| format!("{before}.{word}"))
             }
-            None => nearest(name, WHOLE).map(str::to_owned),
+            None => nearest(name, CycleFigure::WHOLE).map(str::to_owned),
         };
         UnknownCycleFigure {
             name: name.to_owned(),
@@ -274,7 +280,7 @@ impl UnknownCycleFigure {
         match &self.nearest {
             Some(near) => words().or_meant(&words().did_you_mean(near)),
             None if self.properties => {
-                let properties = PROPERTIES.map(|(word, _)| word).join(", ");
+                let properties = CycleFigure::properties().join(", ");
                 words().column_can_be_asked(&properties)
             }
             None => String::new(),

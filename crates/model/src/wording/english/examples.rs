@@ -55,16 +55,17 @@ Examples:
   krank explain four-bar --method newton --guess r3=20,r4=280
   krank explain four-bar --method bisection --guess r3=0..90
 
-Vector polygons, position table, loop equations in components and projected,
-the solution of every group, velocities and accelerations from the differentiated
-equations, joints and centres of mass with their tangential and normal parts, and
-a check. Each value is computed by the formula in its line from values in earlier
-lines. For a coupled group the equations and the solution are shown, but not the
-elimination. With loads, springs or masses the equilibrium of every link and
-loaded pin follows with its reactions, and virtual work checks the force or
-torque of the driver. At a dead point only positions exist. Outside the range
-only the loops and the given values are printed, and the exit code is 1. Greek
-letters are spelled out if the terminal or the locale does not have them.";
+First come vector polygons, the position table, and loop equations in components
+and projected. The solution of every group follows, then velocities and
+accelerations from the differentiated equations. Joints and centres of mass have
+their tangential and normal parts. A check ends the page. Each value is computed
+by the formula in its line from values in earlier lines. For a coupled group the
+equations and the solution are shown, but not the elimination. With loads, springs
+or masses the equilibrium of every link and loaded pin follows with its reactions.
+Virtual work checks the force or torque of the driver. At a dead point only
+positions exist. Outside the range only the loops and the given values are
+printed, and the exit code is 1. Greek letters are spelled out if the terminal or
+the locale does not have them.";
         examples_of_draw = "\
 Examples:
   krank draw four-bar --at 60
@@ -75,11 +76,11 @@ Examples:
   krank draw four-bar --traces C --format dxf -o four-bar.dxf
 
 POINTS are names of points separated by commas, or all. Without names --traces
-draws all curves except circles around a ground pin (these only if there are no
-others), --velocities and --accelerations draw the arrows of all joints and points
-on links, and --forces those of loads, joints, guides and the driver with their
-values. Arrows of one kind have one scale over the whole motion, shown in the line
-below. An arrow with a broken shaft is longer than it is drawn.";
+draws all curves except circles around a ground pin, or these if there are no
+others. --velocities and --accelerations draw the arrows of all joints and points
+on links. --forces draws the forces of loads, joints, guides and the driver with
+their values. Arrows of one kind have one scale over the whole motion, shown in
+the line below. An arrow with a broken shaft is longer than it is drawn.";
         examples_of_export = "\
 Examples:
   krank export four-bar --format python -o four_bar.py
@@ -103,17 +104,16 @@ Examples:
 Columns are named C.x, C.vy, r3.angle, r3.omega, r4.length, r3.com.ax and so on;
 krank sweep SCENE | head -n 1 lists all columns of a scene. With loads, springs or
 masses there are also driver.torque, driver.power, r3.B.fx (the force on link r3
-at pin B), r4.normal, r6.moment, ground.fx, and the residuals of two checks, which
-are zero except for rounding. C.v, C.a.angle, C.a.t, r3.B.f and others appear only
-if they are named; NAME = FORMULA defines a column (krank help columns). The first
+at pin B), r4.normal, r6.moment and ground.fx. The residuals of two checks are
+zero except for rounding. C.v, C.a.angle, C.a.t, r3.B.f and others appear only if
+they are named; NAME = FORMULA defines a column (krank help columns). The first
 column is always the coordinate of the driver, the last one the state: ok,
 change-point, dead-point or no-assembly. A value that does not exist is an empty
-cell (null in JSON).
---bounds adds C.x.bound after each C.x, in the same unit: a bound of the error of
-solving the scene as given. --sensitivity adds C.x.sensitivity: the largest change
-of C.x if every given length is wrong by one unit.
-Without --from and --to a sweep covers the range of the motion up to its limits,
-or one period; with forces, the period of the loads.";
+cell (null in JSON). --bounds adds C.x.bound after each C.x, in the same unit: a
+bound of the error of solving the scene as given. --sensitivity adds
+C.x.sensitivity: the largest change of C.x if every given length is wrong by one
+unit. Without --from and --to a sweep covers the range of the motion up to its
+limits, or one period; with forces, the period of the loads.";
         examples_of_plot = "\
 Examples:
   krank plot four-bar --columns r4.omega

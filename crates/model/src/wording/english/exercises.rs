@@ -99,7 +99,7 @@ catalogue! {
         folder_for_many = "--count writes many files: name a folder with -o DIR";
         seeds_run_out = "--seed and --count exceed the largest seed";
         would_be_lost(file: &str) =
-            "`{file}` is not as this exercise writes it, and its content would be lost: write to another folder";
+            "`{file}` is different from what this exercise writes, and would be lost: write to another folder";
         holds_no_answers(file: &str) = "`{file}` has no answers: no row names a value";
         names_no_figure(file: &str, sheet: &str) =
             "`{file}` has no answers: no row names a value of `{sheet}`";

@@ -143,7 +143,7 @@ catalogue! {
         candidate_called(task: &str, number: usize) = "{task}, candidate {number}";
         candidate_made_by(task: &str) = "krank synthesize, from the task: {task}";
         driven_as_written(miss: &str, unit: &str) =
-            "As written by krank synthesize, it was driven through its task: its largest miss is {miss} {unit}.";
+            "As written by krank synthesize, it was driven through its task: its largest error is {miss} {unit}.";
         transmission_as_written(way: &str, whole: &str) = {
             match way == whole {
                 true => format!("The transmission angle is at least {way} deg, in the task and elsewhere."),
