@@ -66,9 +66,6 @@ impl Walker<'_> {
         if let Some(extreme) = self.ahead.take().filter(|e| e.at.hi == limit) {
             return self.pass_extreme(extreme.step, extreme.at);
         }
-        if self.blurred.is_some_and(|(.., at)| at == limit) {
-            return None;
-        }
         let stretched = self.stretched(limit);
         if stretched.is_empty() {
             return self.cross(limit);

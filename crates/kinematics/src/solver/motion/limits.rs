@@ -9,7 +9,6 @@ use crate::Double;
 use crate::numeric::root;
 use crate::solver::Order;
 use crate::solver::elements::{FRAMES, Stretching};
-use crate::solver::engine::Engine;
 use crate::solver::plan::GroupId;
 use crate::solver::state::Condition;
 
@@ -30,10 +29,6 @@ const NEAR: f64 = 1e-3;
 const GOLDEN_SECTIONS: usize = 44;
 /// Distance within which two extremes of one dyad are the same, in radians or scaled lengths.
 const SAME: f64 = 1e-14;
-/// Maximum error of an extreme found in doubles that identifies it, in radians or scaled lengths.
-const SURE: f64 = 1e-9;
-/// Number of distances from an extreme, each a tenth of the last, at which the rate's sign is examined.
-const CLOSER: i32 = 15;
 /// Maximum error of an extreme found in doubles, in radians or scaled lengths.
 const NEIGHBOURING: f64 = 1e-5;
 /// Half width of an interval around a coordinate, in radians or scaled lengths. Dyads whose stretch
@@ -237,7 +232,7 @@ impl Walker<'_> {
         let measure = self.measure(group, at);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
         if is_open || measure.abs() < UNSURE {
-            match self.exact_extreme(stretch, at) {
+            match self.exact_extreme(step, at) {
                 Some((at, Standing::Singular { .. })) if self.is_split_off(step, at) => {
                     return None;
                 }
@@ -272,45 +267,9 @@ impl Walker<'_> {
 
     /// Returns the coordinate of an extreme of a dyad's reach and the dyad's singularity there, in
     /// double-double. Returns `None` if this cannot be determined.
-    fn exact_extreme(&mut self, stretch: &Stretch, at: f64) -> Option<(Double, Standing)> {
-        let step = stretch.step;
-        let exact = self.exactly(step, at);
-        let is_same = |exact: &Double, at: f64, engine: &Engine| {
-            engine.difference(exact.hi, at).abs() <= SURE
-        };
-        let engine = self.engine;
-        let at = match exact.filter(|exact| is_same(exact, at, engine)) {
-            Some(exact) => exact,
-            // Newton's method went to another extreme, or started from a rounding error.
-            None => {
-                let at = self.first_exactly(stretch, at)?;
-                let exact = self.exactly(step, at);
-                exact.filter(|exact| is_same(exact, at, engine))?
-            }
-        };
+    fn exact_extreme(&mut self, step: usize, at: f64) -> Option<(Double, Standing)> {
+        let at = self.exactly_near(step, at)?;
         Some((at, self.standing_at(step, at)?))
-    }
-
-    /// Returns the first extreme of a dyad's reach between two samples, by the sign of its rate in
-    /// double-double. Other extremes are expected at any distance from `at`.
-    fn first_exactly(&mut self, stretch: &Stretch, at: f64) -> Option<f64> {
-        let &Stretch { step, from, to, .. } = stretch;
-        let closer = (0..CLOSER).map(|k| 10.0_f64.powi(-k));
-        let before = closer.clone().map(|by| at + (from.0 - at) * by);
-        let behind = closer.rev().map(|by| at + (to.0 - at) * by);
-        let mut last: Option<(f64, f64)> = None;
-        for at in before.chain([at]).chain(behind) {
-            // Where the input is at rest, the rate is zero without an extreme.
-            let Some(rate) = self.reach_rate(step, at).filter(|&rate| rate != 0.0) else {
-                continue;
-            };
-            if let Some(last) = last.filter(|&(_, before)| (before < 0.0) != (rate < 0.0)) {
-                let finest = self.engine.finest();
-                return root(last, (at, rate), finest, |at| self.reach_rate(step, at)).ok();
-            }
-            last = Some((at, rate));
-        }
-        None
     }
 
     /// Records a near miss.

@@ -138,17 +138,6 @@ impl Walker<'_> {
         self.standing(dyad, q, self.slack(), &series).ok()
     }
 
-    /// Returns the rate of a dyad's reach by the driver's coordinate, computed in double-double.
-    /// Returns `None` if a step before the dyad is singular or open.
-    pub(in crate::solver::motion) fn reach_rate(&mut self, step: usize, at: f64) -> Option<f64> {
-        let engine = &self.exact?.engine;
-        let (q, direction) = self.coordinate_of(Double::exactly(at), FEW);
-        let mut series = engine.state::<Series>(self.state.travels.len());
-        self.lay(0..step, at, q, direction, &mut series)?;
-        let [reach, _] = engine.program.steps[step].dyad()?.reach(&series);
-        Some(reach.c[1].hi)
-    }
-
     /// Returns `true` if only rounding separates a dyad's change point from that of an earlier dyad.
     /// All groups pass both at once, where the earlier dyad does.
     pub(in crate::solver::motion) fn is_split_off(&mut self, step: usize, at: Double) -> bool {
