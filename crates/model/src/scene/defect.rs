@@ -210,10 +210,10 @@ fn proportion(link: &DraftLink<'_>, length: f64, longest: f64) -> Diagnostic {
 }
 
 fn no_centre(link: &DraftLink<'_>) -> Diagnostic {
-    let (key, span) = link
-        .mass_key
-        .clone()
-        .unwrap_or(("mass", link.name.span.clone()));
+    let (key, span) = match &link.mass_key {
+        Some(key) => (key.text, key.span.clone()),
+        None => ("mass", link.name.span.clone()),
+    };
     let help = match &link.ends {
         Some(ends) => words().give_centre_at_middle(ends.length / 2.0),
         None => words().give_centre().to_owned(),

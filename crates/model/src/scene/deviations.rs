@@ -6,15 +6,13 @@ use super::general_tolerance::{GeneralSizes, GeneralTolerance};
 use super::names::{Names, Sort};
 use super::reader::{ByteSpan, Name, Reader, quoted};
 use super::slide::DraftSlide;
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced};
+use super::table::{KeyTable, NumberRule};
+use crate::document::{Diagnostic, Written};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
 use std::cmp::Reverse;
 use std::collections::HashMap;
-
-/// The sections `[tolerances]` and `[clearances]` as written.
-pub(super) type Deviations = Lenient<Entries<Lenient<f64>>>;
 
 /// A tolerance of a length, with its place in the file.
 #[derive(Clone, Debug)]
@@ -97,18 +95,23 @@ pub(super) struct DraftTolerances<'t> {
     pub(super) of_frame: Vec<(String, DraftTolerance)>,
 }
 
-/// Reads a tolerance: a number, or a class of ISO 2768.
-pub(super) fn tolerance(
+/// Reads the tolerance of the element that a table describes.
+pub(super) fn tolerance_of(
     reader: &mut Reader<'_>,
-    what: &str,
-    value: &Lenient<f64>,
+    table: &KeyTable<'_>,
 ) -> Option<DraftTolerance> {
-    let place = value.span.clone();
-    let size = match &value.read {
-        Err(Misplaced::Text(text)) if names_class(text) => {
+    let what = table.what(reader, "tolerance");
+    tolerance(reader, &what, table.get("tolerance")?)
+}
+
+/// Reads a tolerance: a number, or a class of ISO 2768.
+fn tolerance(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftTolerance> {
+    let place = value.span();
+    let size = match value.get_ref().as_str() {
+        Some(text) if names_class(text) => {
             AllowedDeviation::Class(class(reader, what, text, &place)?)
         }
-        _ => AllowedDeviation::Size(not_negative(reader, what, value)?),
+        _ => AllowedDeviation::Size(reader.measured(what, "", NumberRule::Deviation, value)?),
     };
     Some(DraftTolerance { size, place })
 }
@@ -142,56 +145,42 @@ fn class(
     class
 }
 
-fn not_negative(reader: &mut Reader<'_>, what: &str, value: &Lenient<f64>) -> Option<f64> {
-    let number = reader.number(what, value)?;
-    if number >= 0.0 {
-        return Some(number);
-    }
-    let literal = reader.literal(&value.span);
-    reader.report(
-        Diagnostic::new(words().must_not_be_less_than_zero(what, &literal))
-            .at(value.span.clone(), words().is_negative())
-            .help(words().nought_is_exact()),
-    );
-    None
-}
-
 /// Reads `[tolerances]`.
 pub(super) fn points<'v>(
     reader: &mut Reader<'_>,
-    value: &'v Deviations,
+    value: &'v Written<'v>,
 ) -> Vec<(Name<'v>, DraftTolerance)> {
-    reader.table("[tolerances]", "A = 0.05", value);
-    let read = |(name, value): (Name<'v>, &Lenient<f64>)| {
+    let entries = reader.entries("[tolerances]", "A = 0.05", value);
+    let read = |(name, value): (Name<'v>, &Written<'_>)| {
         let what = words().tolerance_of_point(&name.to_string());
         let read = tolerance(reader, &what, value)?;
         Some((name, read))
     };
-    value.entries().filter_map(read).collect()
+    entries.filter_map(read).collect()
 }
 
 /// Reads `[clearances]`.
 pub(super) fn pins<'v>(
     reader: &mut Reader<'_>,
-    value: &'v Deviations,
+    value: &'v Written<'v>,
 ) -> Vec<(Name<'v>, DraftClearance)> {
-    reader.table("[clearances]", "B = 0.02", value);
-    let read = |(name, value): (Name<'v>, &Lenient<f64>)| {
+    let entries = reader.entries("[clearances]", "B = 0.02", value);
+    let read = |(name, value): (Name<'v>, &Written<'_>)| {
         let what = words().clearance_of_pin(&name.to_string());
-        Some((name, loose_by(reader, &what, value)?))
+        Some((name, clearance(reader, &what, value)?))
     };
-    value.entries().filter_map(read).collect()
+    entries.filter_map(read).collect()
 }
 
-/// Reads `clearance`.
-pub(super) fn clearance(reader: &mut Reader<'_>, value: &Lenient<f64>) -> Option<DraftClearance> {
-    loose_by(reader, "`clearance`", value)
-}
-
-fn loose_by(reader: &mut Reader<'_>, what: &str, value: &Lenient<f64>) -> Option<DraftClearance> {
+/// Reads the clearance of one pin, or of all.
+pub(super) fn clearance(
+    reader: &mut Reader<'_>,
+    what: &str,
+    value: &Written<'_>,
+) -> Option<DraftClearance> {
     Some(DraftClearance {
-        size: not_negative(reader, what, value)?,
-        place: value.span.clone(),
+        size: reader.measured(what, "", NumberRule::Deviation, value)?,
+        place: value.span(),
     })
 }
 

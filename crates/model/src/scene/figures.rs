@@ -1,7 +1,7 @@
 //! Reads the section `[figures]`: values computed from others, by name and formula.
 
 use super::reader::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, Entries, Lenient};
+use crate::document::{Diagnostic, Written};
 use crate::expression::{self, ExpressionTree, FormulaError};
 use crate::wording::words;
 use std::ops::Range;
@@ -58,9 +58,6 @@ impl FormulaPlace {
     }
 }
 
-/// The section `[figures]` as written.
-pub(super) type FigureEntries = Lenient<Entries<Lenient<String>>>;
-
 /// A named value, with its formula if that could be parsed.
 #[derive(Debug)]
 pub(super) struct DraftFigure<'t> {
@@ -69,23 +66,16 @@ pub(super) struct DraftFigure<'t> {
 }
 
 /// Reads the section, and reports every text that is not a formula.
-pub(super) fn figures<'v>(
-    reader: &mut Reader<'_>,
-    value: &'v FigureEntries,
-) -> Vec<DraftFigure<'v>> {
-    reader.table("[figures]", FIGURE, value);
-    let read = |(name, value): (Name<'v>, &Lenient<String>)| {
+pub(super) fn figures<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftFigure<'v>> {
+    let entries = reader.entries("[figures]", FIGURE, value);
+    let read = |(name, value): (Name<'v>, &Written<'_>)| {
         let formula = formula(reader, &name, value);
         DraftFigure { name, formula }
     };
-    value.entries().map(read).collect()
+    entries.map(read).collect()
 }
 
-fn formula(
-    reader: &mut Reader<'_>,
-    name: &Name<'_>,
-    value: &Lenient<String>,
-) -> Option<NamedFormula> {
+fn formula(reader: &mut Reader<'_>, name: &Name<'_>, value: &Written<'_>) -> Option<NamedFormula> {
     let written = reader.string(&words().figure_called(&name.to_string()), value)?;
     let place = FormulaPlace::of(reader, &written);
     match expression::parse(written.text) {

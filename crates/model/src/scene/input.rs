@@ -2,28 +2,15 @@
 
 use super::limits::{self, DraftEnds};
 use super::rate::{self, Degree, Misfit, Rate, RateKind};
-use super::reader::{ByteSpan, CoordinatePair, Name, Reader};
-use super::timed_motion::{self, MotionFrame, MotionList};
+use super::reader::{ByteSpan, Name, Reader};
+use super::table::KeyTable;
+use super::timed_motion::{self, MotionFrame};
 use super::{Unit, keys};
-use crate::document::{Diagnostic, Lenient, Misplaced, meant};
+use crate::document::{Diagnostic, Written};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Double, Mechanism, MotionLaw};
-use serde::Deserialize;
-
-/// The section `[driver]` as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct DriverTable {
-    link: Option<Lenient<String>>,
-    slide: Option<Lenient<String>>,
-    from: Option<Lenient<String>>,
-    angle: Option<Lenient<f64>>,
-    position: Option<Lenient<f64>>,
-    range: Option<CoordinatePair>,
-    speed: Option<Lenient<String>>,
-    acceleration: Option<Lenient<String>>,
-    motion: Option<MotionList>,
-}
+use toml::de::DeValue;
 
 #[derive(Debug)]
 pub(super) struct DraftDriver<'t> {
@@ -97,51 +84,41 @@ pub(super) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
     key: &ByteSpan,
-    value: &'v Lenient<DriverTable>,
+    value: &'v Written<'v>,
 ) -> Option<DraftDriver<'v>> {
     let example = format!("{{ {} }}", TURNED.example);
-    let table = reader.table("[driver]", &example, value)?;
-    let (form, driven, kind) = match (&table.link, &table.slide) {
-        (Some(link), None) => (TURNED, link, RateKind::Turn),
-        (None, Some(slide)) => (PUSHED, slide, RateKind::Push(unit)),
-        (None, None) => {
-            neither(reader, value, key);
+    let names = ["[driver]", words().the_driver()];
+    let mut table = reader.open(names, keys::DRIVER, &example, value)?;
+    let (form, kind) = match (table.has("link"), table.has("slide")) {
+        (true, false) => (TURNED, RateKind::Turn),
+        (false, true) => (PUSHED, RateKind::Push(unit)),
+        (false, false) => {
+            neither(reader, &table, key);
             return None;
         }
-        (Some(_), Some(_)) => {
+        (true, true) => {
             let fault = Diagnostic::new(words().driver_has_both());
             reader.report(both_forms(fault.at(key.clone(), words().one_is_driven())));
             return None;
         }
     };
-    let name = reader.string(&words().key_of(form.driven, words().the_driver()), driven);
+    table.kind = form.driven;
+    let table = &table;
+    let name = reader.text_of(table, form.driven);
     // The check of the keys reports a `from` of a driven slide.
-    let given_seat = table.from.as_ref().filter(|_| kind == RateKind::Turn);
+    let given_seat = table.get("from").filter(|_| kind == RateKind::Turn);
     let from = seat(reader, words().the_driver(), kind, given_seat);
-    let (given, other) = match kind {
-        RateKind::Turn => (&table.angle, &table.position),
-        RateKind::Push(_) => (&table.position, &table.angle),
+    let start = match table.key(form.other) {
+        Some(other) if !table.has(form.coordinate) => {
+            other_coordinate(reader, other, &form);
+            None
+        }
+        _ => start(reader, table, &form, key),
     };
-    let start = if given.is_none() && other.is_some() {
-        other_coordinate(reader, value, &form);
-        None
-    } else {
-        start(reader, value, given.as_ref(), &form, key)
-    };
-    let mut rate = |key, degree, value: &Option<Lenient<String>>| {
-        rate(
-            reader,
-            words().the_driver(),
-            key,
-            kind,
-            degree,
-            value.as_ref()?,
-        )
-    };
-    let speed = rate("speed", Degree::Speed, &table.speed);
-    let acceleration = rate("acceleration", Degree::Acceleration, &table.acceleration);
-    let range = range(reader, kind, table.range.as_ref());
-    let motion = motion(reader, (value, table), start, kind, range.as_ref());
+    let speed = rate(reader, table, "speed", kind, Degree::Speed);
+    let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
+    let range = range(reader, kind, table);
+    let motion = motion(reader, table, start, kind, range.as_ref());
     let name = name?;
     if given_seat.is_some() && from.is_none() {
         return None;
@@ -178,7 +155,7 @@ pub(super) fn seat<'v>(
     reader: &mut Reader<'_>,
     of: &str,
     kind: RateKind,
-    given: Option<&'v Lenient<String>>,
+    given: Option<&'v Written<'v>>,
 ) -> Option<Name<'v>> {
     let given = given?;
     let from = reader.string(&words().key_of("from", of), given)?;
@@ -198,15 +175,15 @@ pub(super) fn seat<'v>(
 /// Reads the motion over time. Reports a speed or an acceleration given together with it.
 fn motion(
     reader: &mut Reader<'_>,
-    (value, table): (&Lenient<DriverTable>, &DriverTable),
+    table: &KeyTable<'_>,
     start: Option<f64>,
     kind: RateKind,
     range: Option<&DraftEnds>,
 ) -> Option<MotionLaw> {
-    let given = table.motion.as_ref()?;
+    let given = table.get("motion")?;
     for key in ["speed", "acceleration"] {
-        if let Some(beside) = value.key(key) {
-            timed_motion::alone(reader, key, &beside.span());
+        if let Some(beside) = table.key(key) {
+            timed_motion::alone(reader, key, &beside.span);
         }
     }
     let frame = MotionFrame {
@@ -214,16 +191,13 @@ fn motion(
         turns: kind == RateKind::Turn,
         range,
     };
-    timed_motion::read(reader, &frame, given)
+    let what = table.what(reader, "motion");
+    timed_motion::read(reader, &frame, &what, given)
 }
 
-fn range(
-    reader: &mut Reader<'_>,
-    kind: RateKind,
-    value: Option<&CoordinatePair>,
-) -> Option<DraftEnds> {
-    let what = words().key_of("range", words().the_driver());
-    let range = limits::range(reader, &what, value?);
+fn range(reader: &mut Reader<'_>, kind: RateKind, table: &KeyTable<'_>) -> Option<DraftEnds> {
+    let what = table.what(reader, "range");
+    let range = limits::range(reader, &what, table.get("range")?);
     if let (Some(range), RateKind::Turn) = (&range, kind) {
         limits::check_turns(reader, &what, range);
     }
@@ -231,9 +205,9 @@ fn range(
 }
 
 /// Reports a driver without a link or slide, unless a misspelt key explains it.
-fn neither(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, key: &ByteSpan) {
-    reader.only(words().the_driver(), value);
-    if !value.meant("link") && !value.meant("slide") {
+fn neither(reader: &mut Reader<'_>, table: &KeyTable<'_>, key: &ByteSpan) {
+    reader.only_known(table);
+    if !table.meant("link") && !table.meant("slide") {
         let fault = Diagnostic::new(words().driver_has_neither());
         reader.report(both_forms(
             fault.at(key.clone(), words().nothing_is_driven()),
@@ -248,20 +222,11 @@ fn both_forms(fault: Diagnostic) -> Diagnostic {
 }
 
 /// Reports a coordinate of the other kind of driver.
-fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form: &DriverForm) {
-    let DriverForm {
-        driven,
-        coordinate,
-        other,
-        ..
-    } = form;
-    let place = value.key(other).map(|key| key.span());
+fn other_coordinate(reader: &mut Reader<'_>, other: Name<'_>, form: &DriverForm) {
+    let (driven, coordinate) = (form.driven, form.coordinate);
     reader.report(
-        Diagnostic::new(words().driver_has_other(driven, other, coordinate))
-            .at(
-                place.unwrap_or_default(),
-                words().coordinate_is_meant(coordinate),
-            )
+        Diagnostic::new(words().driver_has_other(driven, other.text, coordinate))
+            .at(other.span, words().coordinate_is_meant(coordinate))
             .help(words().for_example(&format!("{coordinate} = 60"))),
     );
 }
@@ -269,16 +234,14 @@ fn other_coordinate(reader: &mut Reader<'_>, value: &Lenient<DriverTable>, form:
 /// Reads the coordinate at which the scene opens.
 fn start(
     reader: &mut Reader<'_>,
-    value: &Lenient<DriverTable>,
-    given: Option<&Lenient<f64>>,
+    table: &KeyTable<'_>,
     form: &DriverForm,
     key: &ByteSpan,
 ) -> Option<f64> {
     let coordinate = form.coordinate;
-    let known = keys::of(keys::DRIVER, form.driven);
-    reader.only_these(words().the_driver(), &value.keys, &known);
+    reader.only_known(table);
     // A misspelt key was already reported; do not report the missing key as well.
-    if given.is_none() && !meant(&value.keys, &known, coordinate) {
+    if !table.has(coordinate) && !table.meant(coordinate) {
         let label = words().coordinate_is_missing(coordinate);
         reader.report(
             Diagnostic::new(words().driver_lacks(coordinate))
@@ -286,31 +249,32 @@ fn start(
                 .help(words().for_example(&format!("{coordinate} = 60"))),
         );
     }
-    reader.number(&words().key_of(coordinate, words().the_driver()), given?)
+    reader.number_of(table, coordinate)
 }
 
-/// Reads a speed or an acceleration; returns `None` if it is invalid.
+/// Reads a speed or an acceleration; returns `None` if it is missing or invalid.
 pub(super) fn rate(
     reader: &mut Reader<'_>,
-    of: &str,
+    table: &KeyTable<'_>,
     key: &str,
     kind: RateKind,
     degree: Degree,
-    value: &Lenient<String>,
 ) -> Option<Rate> {
-    let literal = reader.literal(&value.span);
+    let value = table.get(key)?;
+    let (of, place) = (&*table.of, value.span());
+    let literal = reader.literal(&place);
     let bare = literal.trim_matches(['`', '"', '\'', ' ']);
-    let misfit = match &value.read {
-        Ok(text) => match rate::parse(text, kind, degree) {
+    let misfit = match value.get_ref() {
+        DeValue::String(text) => match rate::parse(text, kind, degree) {
             Ok(rate) => return Some(rate),
             Err(misfit) => match rate::formula(text, kind, degree) {
                 Some((formula, unit)) => {
                     let what = words().key_of(key, of);
-                    let worth = reader.worked_out(&what, formula, &value.span)?;
+                    let worth = reader.worked_out(&what, formula, &place)?;
                     if let Some(dimension) = worth.dimension {
                         let found = dimension.symbol(reader.named.length.0);
                         let message = words().rate_of_units(key, of, formula, &found);
-                        let fault = Diagnostic::new(message).at(value.span.clone(), "");
+                        let fault = Diagnostic::new(message).at(place, "");
                         reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
                         return None;
                     }
@@ -323,8 +287,8 @@ pub(super) fn rate(
                 None => misfit,
             },
         },
-        Err(Misplaced::Number | Misplaced::Unheld) => Misfit::NoUnit,
-        Err(_) => Misfit::NoNumber,
+        DeValue::Integer(_) | DeValue::Float(_) => Misfit::NoUnit,
+        _ => Misfit::NoNumber,
     };
     let units = rate::units(kind, degree);
     let (message, help) = match misfit {
@@ -348,7 +312,7 @@ pub(super) fn rate(
     };
     reader.report(
         Diagnostic::new(message)
-            .at(value.span.clone(), words().expected_a_rate())
+            .at(place, words().expected_a_rate())
             .maybe_help(help)
             .help(words().possible_units(&format!("`{}`", units.join("`, `")))),
     );

@@ -7,80 +7,20 @@
 //! ```
 
 use super::draft::SceneDraft;
+use super::keys;
 use super::names::Sort;
-use super::reader::{ByteSpan, CoordinatePair, Name, Reader};
+use super::reader::{ByteSpan, Name, Reader};
 use super::resolve::Resolver;
+use super::table::KeyTable;
 use crate::angle::TURN;
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
+use crate::document::{Diagnostic, Written, items};
 use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Body, Limit, LimitOf, LinkId};
-use serde::de::{IgnoredAny, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
-use std::fmt;
 
-/// The keys of a limited angle.
-pub(super) const ANGLE_KEYS: [&str; 3] = ["link", "from", "angle"];
 const ANGLE: &str = r#"{ link = "r4", from = "r3", angle = [20, 160] }"#;
 const PAIR: (&str, &str) = ("[low, high]", "[120, 200]");
-
-/// The section `[limits]` as written.
-pub(super) type LimitEntries = Lenient<Entries<Lenient<WrittenLimit>>>;
-
-/// A limit of the element with its name, or of the angle of a link.
-#[derive(Debug)]
-pub(super) enum WrittenLimit {
-    Pair(Vec<Lenient<f64>>),
-    Angle(Box<AngleTable>),
-}
-
-/// A limited angle as written.
-#[derive(Debug, Default)]
-pub(super) struct AngleTable {
-    link: Option<Lenient<String>>,
-    from: Option<Lenient<String>>,
-    angle: Option<CoordinatePair>,
-}
-
-impl<'de> Deserialize<'de> for WrittenLimit {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(PairOrAngle)
-    }
-}
-
-/// Accepts a list or a table only.
-struct PairOrAngle;
-
-impl<'de> Visitor<'de> for PairOrAngle {
-    type Value = WrittenLimit;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list or a table")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<WrittenLimit, A::Error> {
-        let mut items = Vec::new();
-        while let Some(item) = list.next_element()? {
-            items.push(item);
-        }
-        Ok(WrittenLimit::Pair(items))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<WrittenLimit, A::Error> {
-        let mut table = AngleTable::default();
-        while let Some(key) = map.next_key::<String>()? {
-            match key.as_str() {
-                "link" => table.link = Some(map.next_value()?),
-                "from" => table.from = Some(map.next_value()?),
-                "angle" => table.angle = Some(map.next_value()?),
-                // The key is reported as unknown, so its value does not matter.
-                _ => drop(map.next_value::<Lenient<IgnoredAny>>()?),
-            }
-        }
-        Ok(WrittenLimit::Angle(Box::new(table)))
-    }
-}
 
 /// The two ends of a range in ascending order, with their place in the file.
 #[derive(Debug)]
@@ -100,97 +40,64 @@ pub(super) struct DraftLimit<'t> {
 }
 
 /// Reads the section. Reports and omits limits that could not be read.
-pub(super) fn limits<'v>(reader: &mut Reader<'_>, value: &'v LimitEntries) -> Vec<DraftLimit<'v>> {
-    reader.table("[limits]", "{ r4 = [30, 150] }", value);
-    let read = |(name, value)| limit(reader, name, value);
-    value.entries().filter_map(read).collect()
+pub(super) fn limits<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLimit<'v>> {
+    let entries = reader.entries("[limits]", "{ r4 = [30, 150] }", value);
+    entries
+        .filter_map(|(name, value)| limit(reader, name, value))
+        .collect()
 }
 
 fn limit<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Lenient<WrittenLimit>,
+    value: &'v Written<'v>,
 ) -> Option<DraftLimit<'v>> {
     let what = words().limit_called(&name.to_string());
-    let (angle, ends) = match &value.read {
-        Ok(WrittenLimit::Pair(items)) => (None, ends(reader, &what, items, &value.span)),
-        Ok(WrittenLimit::Angle(table)) => {
-            reader.only_these(&what, &value.keys, &ANGLE_KEYS);
-            let (link, from, ends) = limited_angle(reader, &what, &name, value, table)?;
-            (Some((link, from)), Some(ends))
-        }
-        Err(found) => {
-            not_a_limit(reader, &what, found, &value.span);
-            return None;
-        }
+    let (angle, ends) = if let Some(entries) = value.get_ref().as_table() {
+        let table = KeyTable::new(&what, keys::LIMIT, entries, value.span());
+        let (link, from, ends) = limited_angle(reader, &name, &table)?;
+        (Some((link, from)), ends)
+    } else if items(value).is_some() {
+        (None, range(reader, &what, value)?)
+    } else {
+        let fault = no_range(reader, &what, value);
+        reader.report(fault.help(words().or_angle_of_link(ANGLE)));
+        return None;
     };
-    let ends = ends?;
     Some(DraftLimit { name, angle, ends })
-}
-
-fn not_a_limit(reader: &mut Reader<'_>, what: &str, found: &Misplaced, place: &ByteSpan) {
-    let fault = reader.wrong_type(what, &words().a_pair(PAIR.0), found, place);
-    let fault = fault.help(words().for_example(PAIR.1));
-    reader.report(fault.help(words().or_angle_of_link(ANGLE)));
 }
 
 type LimitedAngle<'v> = (Name<'v>, Option<Name<'v>>, DraftEnds);
 
 fn limited_angle<'v>(
     reader: &mut Reader<'_>,
-    what: &str,
     owner: &Name<'_>,
-    value: &Lenient<WrittenLimit>,
-    table: &'v AngleTable,
+    table: &KeyTable<'v>,
 ) -> Option<LimitedAngle<'v>> {
-    for (key, is_given) in [
-        ("link", table.link.is_some()),
-        ("angle", table.angle.is_some()),
-    ] {
-        // A misspelt key was already reported; do not report the missing key as well.
-        if !is_given && !meant(&value.keys, &ANGLE_KEYS, key) {
-            reader.report(
-                Diagnostic::new(words().of_has_no(what, key))
-                    .at(owner.span.clone(), words().is_missing(key))
-                    .help(words().for_example(ANGLE)),
-            );
-        }
+    reader.only_known(table);
+    for key in ["link", "angle"] {
+        reader.require(table, key, &owner.span, ANGLE);
     }
-    let link = reader.text_of("link", what, table.link.as_ref());
-    let from = reader.text_of("from", what, table.from.as_ref());
-    let is_lost = table.from.is_some() && from.is_none();
-    let key = words().key_of("angle", what);
-    let ends = range(reader, &key, table.angle.as_ref()?);
+    let link = reader.text_of(table, "link");
+    let from = reader.text_of(table, "from");
+    let is_lost = table.has("from") && from.is_none();
+    let what = table.what(reader, "angle");
+    let ends = range(reader, &what, table.get("angle")?);
     (!is_lost).then_some((link?, from, ends?))
 }
 
-/// Reads the two ends of a range.
-pub(super) fn range(
-    reader: &mut Reader<'_>,
-    what: &str,
-    value: &CoordinatePair,
-) -> Option<DraftEnds> {
-    match &value.read {
-        Ok(items) => ends(reader, what, items, &value.span),
-        Err(found) => {
-            let fault = reader.wrong_type(what, &words().a_pair(PAIR.0), found, &value.span);
-            reader.report(fault.help(words().for_example(PAIR.1)));
-            None
-        }
-    }
+fn no_range(reader: &Reader<'_>, what: &str, value: &Written<'_>) -> Diagnostic {
+    let fault = reader.mistyped(what, &words().a_pair(PAIR.0), value);
+    fault.help(words().for_example(PAIR.1))
 }
 
-fn ends(
-    reader: &mut Reader<'_>,
-    what: &str,
-    items: &[Lenient<f64>],
-    place: &ByteSpan,
-) -> Option<DraftEnds> {
-    let [low, high] = reader.two_of(what, PAIR, items, place)?;
+/// Reads the two ends of a range.
+pub(super) fn range(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftEnds> {
+    let [low, high] = reader.two(what, PAIR.0, PAIR.1, value)?;
     let low = reader.number(&words().low_end_of(what), low);
     let high = reader.number(&words().high_end_of(what), high);
     let (low, high) = (low?, high?);
-    let place = place.clone();
+    let place = value.span();
     if low < high {
         return Some(DraftEnds { low, high, place });
     }

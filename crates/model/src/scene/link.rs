@@ -1,35 +1,20 @@
 //! Reads links.
 
 use super::deviations::{self, DraftTolerance};
+use super::keys;
 use super::points::PlacedPoint;
-use super::reader::{ByteSpan, MIN_LENGTH, Name, Reader, quoted};
-use super::sighted::{self, LinkPlace, LinkPlaces};
+use super::reader::{ByteSpan, Name, Reader, quoted};
+use super::sighted;
+use super::table::KeyTable;
 use crate::Vec2;
-use crate::document::{Diagnostic, Entries, Lenient};
+use crate::document::{self, Diagnostic, Written};
 use crate::wording::words;
-use serde::Deserialize;
 
 /// Maximum number of links of a scene.
 const MAX_LINKS: usize = 10_000;
 
 const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
-
-/// The section `[links]` as written.
-pub(super) type Links = Lenient<Entries<Lenient<LinkTable>>>;
-
-/// A link as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct LinkTable {
-    from: Option<Lenient<String>>,
-    to: Option<Lenient<String>>,
-    length: Option<Lenient<f64>>,
-    points: Option<LinkPlaces>,
-    com: Option<LinkPlace>,
-    mass: Option<Lenient<f64>>,
-    inertia: Option<Lenient<f64>>,
-    tolerance: Option<Lenient<f64>>,
-}
 
 #[derive(Debug)]
 pub(super) struct DraftLink<'t> {
@@ -40,8 +25,8 @@ pub(super) struct DraftLink<'t> {
     pub(super) com: Option<PlacedPoint<'t>>,
     pub(super) mass: f64,
     pub(super) inertia: f64,
-    /// The place of the key `mass`, or of `inertia` if there is no mass.
-    pub(super) mass_key: Option<(&'static str, ByteSpan)>,
+    /// The key `mass`, or `inertia` if there is no mass.
+    pub(super) mass_key: Option<Name<'t>>,
     /// The tolerance of its length and of the coordinates of its points.
     pub(super) tolerance: Option<DraftTolerance>,
     /// Whether a diagnostic was reported for the link.
@@ -94,19 +79,21 @@ pub(super) struct Read<'t> {
 }
 
 /// Reads the section.
-pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Links) -> Read<'v> {
+pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Read<'v> {
     let mut read = Read::default();
-    reader.table("[links]", LINK, value);
-    let count = value.keys.len();
-    if value.get().is_some() && count > MAX_LINKS {
+    let Some(entries) = reader.section("[links]", LINK, value) else {
+        return read;
+    };
+    let count = entries.len();
+    if count > MAX_LINKS {
         reader.report(
             Diagnostic::new(words().links_above_most(count, MAX_LINKS))
-                .at(value.span.clone(), words().are_too_many_links()),
+                .at(value.span(), words().are_too_many_links()),
         );
         read.too_many = true;
         return read;
     }
-    for (name, value) in value.entries() {
+    for (name, value) in document::entries(entries) {
         let link = link(reader, &mut read.lost_points, name, value);
         read.links.push(link);
     }
@@ -117,7 +104,7 @@ fn link<'v>(
     reader: &mut Reader<'_>,
     lost_points: &mut bool,
     name: Name<'v>,
-    value: &'v Lenient<LinkTable>,
+    value: &'v Written<'v>,
 ) -> DraftLink<'v> {
     let before = reader.found.len();
     let mut link = DraftLink {
@@ -132,14 +119,12 @@ fn link<'v>(
         broken: false,
     };
     let of = words().link_called(&link.name.to_string());
-    if let Some(table) = reader.table(&of, LINK, value) {
-        reader.only(&of, value);
-        *lost_points |= !link_ends(reader, &of, value, table, &mut link);
-        *lost_points |= !link_points(reader, &of, value, table, &mut link);
-        link_mass(reader, &of, value, table, &mut link);
-        let tolerance = table.tolerance.as_ref();
-        let what = words().key_of("tolerance", &of);
-        link.tolerance = tolerance.and_then(|value| deviations::tolerance(reader, &what, value));
+    if let Some(table) = reader.open([&of, &of], keys::LINK, LINK, value) {
+        reader.only_known(&table);
+        *lost_points |= !link_ends(reader, &table, &mut link);
+        *lost_points |= !link_points(reader, &table, &mut link);
+        link_mass(reader, &table, &mut link);
+        link.tolerance = deviations::tolerance_of(reader, &table);
         if reader.found.len() == before && link.ends.is_none() && link.points.is_empty() {
             reader.report(no_points(&of, &link.name));
         }
@@ -159,37 +144,29 @@ fn no_points(of: &str, name: &Name<'_>) -> Diagnostic {
 
 /// Reads `from`, `to` and `length`, which belong together. An end without the others still names
 /// its point. Returns `true` if no end was lost.
-fn link_ends<'v>(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<LinkTable>,
-    table: &'v LinkTable,
-    link: &mut DraftLink<'v>,
-) -> bool {
-    let from = reader.text_of("from", of, table.from.as_ref());
-    let to = reader.text_of("to", of, table.to.as_ref());
-    let given = table.length.as_ref();
-    let length = given.map(|given| length(reader, of, given, &LengthHints::of_link()));
-    let (has_from, has_to) = (table.from.is_some(), table.to.is_some());
-    let missing = match (has_from, has_to, length.is_some()) {
-        (false, false, false) | (true, true, true) => None,
-        (true, true, false) => Some(words().ends_without_length()),
-        (true, false, _) => Some(words().only_from()),
-        (false, true, _) => Some(words().only_to()),
-        (false, false, true) => Some(words().length_without_ends()),
+fn link_ends<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut DraftLink<'v>) -> bool {
+    let from = reader.text_of(table, "from");
+    let to = reader.text_of(table, "to");
+    let length = reader.number_of(table, "length");
+    let ends = ["from", "to", "length"];
+    let given = ends.map(|key| table.has(key));
+    let missing = match given {
+        [false, false, false] | [true, true, true] => None,
+        [true, true, false] => Some(words().ends_without_length()),
+        [true, false, _] => Some(words().only_from()),
+        [false, true, _] => Some(words().only_to()),
+        [false, false, true] => Some(words().length_without_ends()),
     };
     if let Some(missing) = missing {
         // A misspelt key was already reported; do not report the missing key as well.
-        let misspelt = ["from", "to", "length"]
-            .into_iter()
-            .any(|key| value.key(key).is_none() && value.meant(key));
-        if !misspelt {
-            reader.report(incomplete(of, missing, link.name.span.clone()));
+        let misspelt = |key: &&str| !table.has(key) && table.meant(key);
+        if !ends.iter().any(misspelt) {
+            reader.report(incomplete(&table.of, missing, link.name.span.clone()));
         }
     }
     match (from, to) {
         (Some(from), Some(to)) => {
-            let length = length.flatten().unwrap_or(1.0);
+            let length = length.unwrap_or(1.0);
             link.ends = Some(Ends { from, to, length });
             true
         }
@@ -200,7 +177,7 @@ fn link_ends<'v>(
                 read: None,
                 sighted: None,
             }));
-            missing.is_none() && !has_from && !has_to
+            missing.is_none() && !table.has("from") && !table.has("to")
         }
     }
 }
@@ -208,44 +185,35 @@ fn link_ends<'v>(
 /// Reads the further points. Returns `true` if none was lost.
 fn link_points<'v>(
     reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<LinkTable>,
-    table: &'v LinkTable,
+    table: &KeyTable<'v>,
     link: &mut DraftLink<'v>,
 ) -> bool {
-    let Some(points) = &table.points else {
-        return !value.meant("points");
+    let Some(points) = table.get("points") else {
+        return !table.meant("points");
     };
-    reader.table(&words().key_of("points", of), "{ A = [0, 0] }", points);
-    for (name, value) in points.entries() {
+    let (of, what) = (&table.of, table.what(reader, "points"));
+    for (name, value) in reader.entries(&what, "{ A = [0, 0] }", points) {
         let what = format!("{} {}", words().point_in(of), quoted(name.text));
         let place = sighted::place(reader, &what, &name, value);
         link.points.push(PlacedPoint::read_as(name, place));
     }
     sighted::lay(reader, of, link);
-    points.get().is_some()
+    points.get_ref().is_table()
 }
 
-fn link_mass<'v>(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &'v Lenient<LinkTable>,
-    table: &'v LinkTable,
-    link: &mut DraftLink<'v>,
-) {
-    let key = |name| Some((name, value.key(name)?.span()));
-    if let (Some(com), Some(key)) = (&table.com, value.key("com")) {
-        let name = Name::of_key(key);
-        let place = sighted::place(reader, &words().key_of("com", of), &name, com);
+fn link_mass<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>, link: &mut DraftLink<'v>) {
+    if let (Some(com), Some(name)) = (table.get("com"), table.key("com")) {
+        let what = table.what(reader, "com");
+        let place = sighted::place(reader, &what, &name, com);
         let mut com = PlacedPoint::read_as(name, place);
         if let Some(sighted) = &com.sighted {
-            com.read = sighted::lay_centre(reader, of, sighted, link);
+            com.read = sighted::lay_centre(reader, &table.of, sighted, link);
         }
         link.com = Some(com);
     }
-    link.mass = reader.not_negative(of, "mass", "", table.mass.as_ref());
-    link.inertia = reader.not_negative(of, "inertia", "", table.inertia.as_ref());
-    link.mass_key = key("mass").or_else(|| key("inertia"));
+    link.mass = reader.number_of(table, "mass").unwrap_or(0.0);
+    link.inertia = reader.number_of(table, "inertia").unwrap_or(0.0);
+    link.mass_key = table.key("mass").or_else(|| table.key("inertia"));
 }
 
 fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
@@ -253,57 +221,4 @@ fn incomplete(of: &str, missing: &str, span: ByteSpan) -> Diagnostic {
         .at(span, words().ends_and_length())
         .help(words().for_example(LINK))
         .help(words().points_alone(POINTS))
-}
-
-/// The hints in diagnostics of an invalid length.
-pub(super) struct LengthHints {
-    /// The consequence of a zero length, and its fix.
-    nought: [&'static str; 2],
-    /// The fix for a negative length.
-    negative: &'static str,
-}
-
-impl LengthHints {
-    fn of_link() -> LengthHints {
-        LengthHints {
-            nought: [words().no_direction(), words().give_joints_one_name()],
-            negative: words().length_is_distance(),
-        }
-    }
-
-    /// Returns the hints for a point given by length and angle.
-    pub(super) fn of_point() -> LengthHints {
-        LengthHints {
-            nought: [words().no_place_of_its_own(), words().leave_point_out()],
-            negative: words().turn_angle_by_half(),
-        }
-    }
-}
-
-/// Reads a distance: positive, and not too small to compute with.
-pub(super) fn length(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<f64>,
-    hints: &LengthHints,
-) -> Option<f64> {
-    let length = reader.number(&words().key_of("length", of), value)?;
-    let literal = reader.literal(&value.span);
-    let fault = |rule: &str, label: &str| {
-        Diagnostic::new(words().must_be(&words().key_of("length", of), rule, &literal))
-            .at(value.span.clone(), label)
-    };
-    if length >= MIN_LENGTH {
-        return Some(length);
-    }
-    reader.report(if length > 0.0 {
-        fault(words().at_least_smallest(), words().too_small_to_compute())
-            .help(words().choose_a_unit())
-    } else if length == 0.0 {
-        let [label, help] = hints.nought;
-        fault(words().positive(), label).help(help)
-    } else {
-        fault(words().positive(), words().is_not_positive()).help(hints.negative)
-    });
-    None
 }

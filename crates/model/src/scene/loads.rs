@@ -1,13 +1,13 @@
 //! Reads the loads on the mechanism.
 
 use super::keys;
-use super::profile::{self, Knots};
-use super::reader::{CoordinatePair, Name, Reader};
-use crate::document::{Diagnostic, Lenient, WrittenKey};
+use super::profile;
+use super::reader::{Name, Reader};
+use super::table::KeyTable;
+use crate::document::{Diagnostic, Written, items};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{Profile, StrokeEnd, Vec2};
-use serde::Deserialize;
 
 const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
 
@@ -16,23 +16,6 @@ pub(super) type ListExample = [&'static str; 3];
 
 pub(super) fn said([list, one, other]: ListExample) -> String {
     words().example_of_list(list, one, other)
-}
-
-/// The list `[[loads]]` as written.
-pub(super) type Loads = Lenient<Vec<Lenient<LoadTable>>>;
-
-/// A load as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct LoadTable {
-    point: Option<Lenient<String>>,
-    force: Option<CoordinatePair>,
-    frame: Option<Lenient<String>>,
-    link: Option<Lenient<String>>,
-    torque: Option<Lenient<f64>>,
-    over: Option<Knots>,
-    slide: Option<Lenient<String>>,
-    press: Option<Knots>,
-    end: Option<Lenient<String>>,
 }
 
 #[derive(Debug)]
@@ -96,44 +79,43 @@ impl LoadKind {
 }
 
 /// Reads the loads. Reports and omits those that could not be read.
-pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Loads) -> Vec<DraftLoad<'v>> {
+pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLoad<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
 /// Returns the items of a list of tables. Reports a value that is not a list, and returns an empty
 /// slice for it.
-pub(super) fn list<'v, T>(
+pub(super) fn list<'v>(
     reader: &mut Reader<'_>,
     key: &str,
     example: ListExample,
-    value: &'v Lenient<Vec<T>>,
-) -> &'v [T] {
-    if let Some(items) = value.get() {
+    value: &'v Written<'v>,
+) -> &'v [Written<'v>] {
+    if let Some(items) = items(value) {
         return items;
     }
     reader.report(
         Diagnostic::new(words().must_be_list_of_tables(key))
-            .at(value.span.clone(), words().expected(words().a_list()))
+            .at(value.span(), words().expected(words().a_list()))
             .help(words().for_example(&said(example))),
     );
     &[]
 }
 
-fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<DraftLoad<'v>> {
-    let of = words().the_load();
-    let table = reader.table(words().a_load(), &said(LOAD), value)?;
-    reader.only(of, value);
-    let kind = kind(reader, table, value)?;
-    foreign(reader, &value.keys, kind);
-    let on = reader.text_of(kind.on(), of, table.on(kind));
+fn load<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Option<DraftLoad<'v>> {
+    let names = [words().a_load(), words().the_load()];
+    let table = &reader.open(names, keys::LOAD, &said(LOAD), value)?;
+    reader.only_known(table);
+    let kind = kind(reader, table)?;
+    foreign(reader, table, kind);
+    let on = reader.text_of(table, kind.on());
     match kind {
         LoadKind::Force => {
-            let what = words().key_of("force", of) + " (N)";
-            let force = reader.pair(&what, table.force.as_ref()?);
-            let frame = reader.text_of("frame", of, table.frame.as_ref());
-            let over = profile::over(reader, table.over.as_ref());
-            if frame.is_none() && table.frame.is_some() {
+            let force = reader.pair_of(table, "force");
+            let frame = reader.text_of(table, "frame");
+            let over = profile::over(reader, table);
+            if frame.is_none() && table.has("frame") {
                 return None;
             }
             Some(DraftLoad::Force {
@@ -144,9 +126,8 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
             })
         }
         LoadKind::Torque => {
-            let what = words().key_of("torque", of) + " (N m)";
-            let torque = reader.number(&what, table.torque.as_ref()?);
-            let over = profile::over(reader, table.over.as_ref());
+            let torque = reader.number_of(table, "torque");
+            let over = profile::over(reader, table);
             Some(DraftLoad::Torque {
                 link: on?,
                 torque: torque?,
@@ -154,8 +135,8 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
             })
         }
         LoadKind::Press => {
-            let curve = profile::press(reader, table.press.as_ref()?);
-            let end = table.end.as_ref().map(|value| stroke_end(reader, value));
+            let curve = profile::press(reader, table);
+            let end = table.has("end").then(|| stroke_end(reader, table));
             Some(DraftLoad::Press {
                 slide: on?,
                 curve: curve?,
@@ -168,36 +149,21 @@ fn load<'v>(reader: &mut Reader<'_>, value: &'v Lenient<LoadTable>) -> Option<Dr
     }
 }
 
-impl LoadTable {
-    /// Returns the name of the element that a load of this kind acts on, if given.
-    fn on(&self, kind: LoadKind) -> Option<&Lenient<String>> {
-        match kind {
-            LoadKind::Force => self.point.as_ref(),
-            LoadKind::Torque => self.link.as_ref(),
-            LoadKind::Press => self.slide.as_ref(),
-        }
-    }
-}
-
 /// Returns the kind of a load that has a magnitude and an element to act on; reports any other
 /// load.
-fn kind(
-    reader: &mut Reader<'_>,
-    table: &LoadTable,
-    value: &Lenient<LoadTable>,
-) -> Option<LoadKind> {
-    let given = |kind: LoadKind| Some((kind, value.key(kind.size())?.span()));
+fn kind(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<LoadKind> {
+    let given = |kind: LoadKind| Some((kind, table.key(kind.size())?.span));
     let mut sizes = LoadKind::ALL.into_iter().filter_map(given);
     let fault = match (sizes.next(), sizes.next()) {
-        (Some((kind, _)), None) if table.on(kind).is_some() => return Some(kind),
-        (Some((kind, _)), None) => without(value, kind)?,
+        (Some((kind, _)), None) if table.has(kind.on()) => return Some(kind),
+        (Some((kind, _)), None) => without(table, kind)?,
         (Some((one, first)), Some((other, second))) => {
             Diagnostic::new(words().load_has_both(one.size(), other.size()))
                 .at(second, words().a_second_load())
                 .and(first, words().one_load())
                 .help(words().each_a_load_of_its_own())
         }
-        (None, _) => nothing(value)?,
+        (None, _) => nothing(table)?,
     };
     reader.report(fault);
     None
@@ -205,7 +171,7 @@ fn kind(
 
 /// Returns the diagnostic of a load without an element to act on; `None` if a misspelt key, already
 /// reported, explains it.
-fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
+fn without(load: &KeyTable<'_>, kind: LoadKind) -> Option<Diagnostic> {
     let (size, on) = (kind.size(), kind.on());
     if load.meant(on) {
         return None;
@@ -217,14 +183,14 @@ fn without(load: &Lenient<LoadTable>, kind: LoadKind) -> Option<Diagnostic> {
 }
 
 /// Returns the diagnostic of a load without a magnitude; `None` if a misspelt key explains it.
-fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
+fn nothing(load: &KeyTable<'_>) -> Option<Diagnostic> {
     let meant = |kind: &LoadKind| load.meant(kind.size());
     if LoadKind::ALL.iter().any(meant) {
         return None;
     }
     Some(match load.key("over") {
         Some(key) => Diagnostic::new(words().over_without_size())
-            .at(key.span(), words().factors_of_what())
+            .at(key.span, words().factors_of_what())
             .help(words().over_scales()),
         None => Diagnostic::new(words().load_has_no_size())
             .at(load.span.clone(), words().no_load_here())
@@ -234,14 +200,9 @@ fn nothing(load: &Lenient<LoadTable>) -> Option<Diagnostic> {
 }
 
 /// Reports keys that belong to another kind of load.
-fn foreign(reader: &mut Reader<'_>, given: &[WrittenKey], kind: LoadKind) {
-    let fitting = keys::of(keys::LOAD, kind.size());
-    for key in given {
-        let text = key.get_ref().as_str();
-        if fitting.contains(&text) || keys::find(keys::LOAD, text).is_none() {
-            continue;
-        }
-        let why = match text {
+fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: LoadKind) {
+    for key in table.strays(kind.size()) {
+        let why = match key.text {
             "frame" => words().no_frame_to_turn_with(),
             "over" => words().press_is_given_over_way(),
             "end" => words().only_press_has_end(),
@@ -249,15 +210,15 @@ fn foreign(reader: &mut Reader<'_>, given: &[WrittenKey], kind: LoadKind) {
         };
         let kind = kind.size();
         reader.report(
-            Diagnostic::new(words().kind_has_no_key(kind, text))
-                .at(key.span(), words().not_for_kind(kind))
+            Diagnostic::new(words().kind_has_no_key(kind, key.text))
+                .at(key.span, words().not_for_kind(kind))
                 .help(why),
         );
     }
 }
 
-fn stroke_end(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<StrokeEnd> {
-    let name = reader.string(&words().key_of("end", words().the_load()), value)?;
+fn stroke_end(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<StrokeEnd> {
+    let name = reader.text_of(table, "end")?;
     let end = match name.text {
         "least" => return Some(StrokeEnd::Least),
         "greatest" => return Some(StrokeEnd::Greatest),

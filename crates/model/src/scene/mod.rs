@@ -77,6 +77,7 @@ mod slide;
 mod spring;
 mod spring_ends;
 mod syntax;
+mod table;
 mod timed_inputs;
 mod timed_motion;
 mod typed;
@@ -92,6 +93,8 @@ pub use figures::NamedFormula;
 #[doc(hidden)]
 pub use input::coordinate_key;
 pub use keys::reference;
+#[doc(hidden)]
+pub use keys::{KeyKind, NumberMeasure, SceneKey};
 pub use measure::Measure;
 pub use motor::Motor;
 #[doc(hidden)]
@@ -100,12 +103,16 @@ pub use names::{is_figure_name, reserved_for_figures};
 pub use numeral::{are_thousands, with_point};
 pub use parameters::Parameter;
 #[doc(hidden)]
+pub use rate::Degree;
+#[doc(hidden)]
 pub use retell::toml_string;
 pub use rewrite::Precision;
 #[doc(hidden)]
 pub use rewrite::{figure, key};
 #[doc(hidden)]
 pub use syntax::mend;
+#[doc(hidden)]
+pub use table::{KeyTable, NumberRule};
 pub use typed::ValueError;
 pub use unit::Unit;
 pub use values::{Value, ValueOwner};
@@ -218,8 +225,8 @@ impl Scene {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = reader::Reader::new(text);
         let root = document::parse(&mut reader, syntax::mend);
-        let scene = root.and_then(|root| {
-            let draft = draft::read(&mut reader, &root);
+        let scene = root.as_ref().and_then(|root| {
+            let draft = draft::read(&mut reader, root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             let figures = draft.figures.into_iter();
             Some(Scene {

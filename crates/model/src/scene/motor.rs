@@ -3,10 +3,10 @@
 use super::input::{self, DraftInput, PUSHED, TURNED};
 use super::rate::{Degree, RateKind};
 use super::reader::{ByteSpan, Reader};
+use super::table::KeyTable;
 use super::{Scene, Unit, keys, rate};
-use crate::document::{Diagnostic, Lenient, WrittenKey};
+use crate::document::{Diagnostic, Written};
 use crate::wording::words;
-use serde::Deserialize;
 
 /// The capabilities of the motor at the driver's shaft, and the requirements on the drive. For a
 /// driven slide it is a cylinder or a linear motor.
@@ -50,160 +50,102 @@ impl Scene {
 
 const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;
 
-/// The section `[motor]` as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct MotorTable {
-    torque: Option<Lenient<f64>>,
-    force: Option<Lenient<f64>>,
-    peak: Option<Lenient<f64>>,
-    speed: Option<Lenient<String>>,
-    flywheel: Option<Lenient<f64>>,
-    fluctuation: Option<Lenient<f64>>,
-    rest: Option<Lenient<f64>>,
-    /// The former name of `rest`.
-    tolerance: Option<Lenient<f64>>,
-}
-
 /// Reads the section; its permitted keys depend on the kind of driver.
 pub(super) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
     driven: Option<&DraftInput<'_>>,
-    value: &Lenient<MotorTable>,
+    value: &Written<'_>,
 ) -> Option<Motor> {
-    let table = reader.table("[motor]", EXAMPLE, value)?;
-    reader.only(words().the_motor(), value);
+    let names = ["[motor]", words().the_motor()];
+    let mut table = reader.open(names, keys::MOTOR, EXAMPLE, value)?;
+    reader.only_known(&table);
     // Without a driver, the keys of its motor cannot be checked.
-    let pushes = matches!(driven?, DraftInput::Slide(_));
-    misfits(reader, &value.keys, pushes);
-    let (form, rated, size, kind) = if pushes {
-        (PUSHED, &table.force, " (N)", RateKind::Push(unit))
-    } else {
-        (TURNED, &table.torque, " (N m)", RateKind::Turn)
+    table.turns = matches!(driven?, DraftInput::Link(_));
+    misfits(reader, &table);
+    let (form, kind) = match table.turns {
+        true => (TURNED, RateKind::Turn),
+        false => (PUSHED, RateKind::Push(unit)),
     };
-    let mut positive = |key: &str, unit: &str, value: &Option<Lenient<f64>>| {
-        positive(reader, key, unit, value.as_ref()?)
-    };
+    let table = &table;
+    let mut number = |key: &str| reader.number_of(table, key);
     let motor = Motor {
-        rated: positive(form.effort, size, rated),
-        peak: positive("peak", size, &table.peak),
-        flywheel: positive("flywheel", " (kg m^2)", &table.flywheel),
-        fluctuation: positive("fluctuation", "", &table.fluctuation),
-        rest: match &table.rest {
-            Some(_) => positive("rest", "", &table.rest),
-            None => positive("tolerance", "", &table.tolerance),
-        },
-        speed: table.speed.as_ref().and_then(|speed| {
-            let rate = input::rate(
-                reader,
-                words().the_motor(),
-                "speed",
-                kind,
-                Degree::Speed,
-                speed,
-            );
-            rate.map(|rate| rate.value)
+        rated: number(form.effort),
+        peak: number("peak"),
+        flywheel: number("flywheel"),
+        fluctuation: number("fluctuation"),
+        rest: number(match table.has("rest") {
+            true => "rest",
+            // The former name.
+            false => "tolerance",
         }),
+        speed: input::rate(reader, table, "speed", kind, Degree::Speed).map(|rate| rate.value),
     };
     check(reader, table, form.effort, &motor);
     Some(motor)
 }
 
 /// Reports keys of a motor of the other kind.
-fn misfits(reader: &mut Reader<'_>, given: &[WrittenKey], pushes: bool) {
-    let driven = if pushes { PUSHED.driven } else { TURNED.driven };
-    let fitting = keys::of(keys::MOTOR, driven);
-    for key in given {
-        let text = key.get_ref().as_str();
-        if fitting.contains(&text) || keys::find(keys::MOTOR, text).is_none() {
-            continue;
-        }
-        let (message, help) = match text {
+fn misfits(reader: &mut Reader<'_>, table: &KeyTable<'_>) {
+    let form = if table.turns { TURNED } else { PUSHED };
+    for key in table.strays(form.driven) {
+        let (message, help) = match key.text {
             "torque" => (
-                words().motor_of_slide_has_no(text),
+                words().motor_of_slide_has_no(key.text),
                 words().slide_has_force(),
             ),
             "force" => (
-                words().motor_of_link_has_no(text),
+                words().motor_of_link_has_no(key.text),
                 words().link_has_torque(),
             ),
             _ => (
-                words().motor_of_slide_has_no(text),
+                words().motor_of_slide_has_no(key.text),
                 words().slide_has_no_shaft(),
             ),
         };
         reader.report(
             Diagnostic::new(message)
-                .at(key.span(), words().does_not_fit_driver())
+                .at(key.span, words().does_not_fit_driver())
                 .help(help),
         );
     }
 }
 
-fn positive(reader: &mut Reader<'_>, key: &str, unit: &str, value: &Lenient<f64>) -> Option<f64> {
-    let what = words().key_of(key, words().the_motor()) + unit;
-    let number = reader.number(&what, value)?;
-    if number > 0.0 {
-        return Some(number);
-    }
-    let literal = reader.literal(&value.span);
-    reader.report(
-        Diagnostic::new(words().must_be(&what, words().positive(), &literal))
-            .at(value.span.clone(), words().is_not_positive())
-            .help(words().leave_unknown_out(key)),
-    );
-    None
-}
-
 /// Checks the relations between the numbers.
-fn check(reader: &mut Reader<'_>, table: &MotorTable, rated: &str, motor: &Motor) {
+fn check(reader: &mut Reader<'_>, table: &KeyTable<'_>, rated: &str, motor: &Motor) {
+    let place = |key: &str| table.get(key).map(Written::span).unwrap_or_default();
     let mut fault = |span: ByteSpan, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
     };
-    if table.rest.is_some() && table.tolerance.is_some() {
+    if table.has("rest") && table.has("tolerance") {
         let message = words().rest_of_motor_given_twice().to_owned();
-        let help = words().leave_old_name_of_rest_out();
-        fault(
-            place(&table.tolerance),
-            message,
+        let (label, help) = (
             words().is_old_name_of_rest(),
-            help,
+            words().leave_old_name_of_rest_out(),
         );
+        fault(place("tolerance"), message, label, help);
     }
     if let (Some(continuous), Some(peak)) = (motor.rated, motor.peak)
         && peak < continuous
     {
         let message = words().peak_of_motor_too_small(rated);
         let help = words().peak_is_for_short();
-        fault(place(&table.peak), message, words().is_too_small(), help);
+        fault(place("peak"), message, words().is_too_small(), help);
     }
-    if motor.fluctuation.is_some_and(|share| share > 1.0) {
-        let message = match motor.fluctuation {
-            // (w - 0) / (w / 2) = 2: the minimum speed is zero, and a larger value is impossible.
-            Some(share) if share > 2.0 => words().fluctuation_of_motor_impossible().to_owned(),
-            _ => words().fluctuation_of_motor_too_large().to_owned(),
+    if let Some(share) = motor.fluctuation
+        && share > 1.0
+    {
+        // (w - 0) / (w / 2) = 2: the minimum speed is zero, and a larger value is impossible.
+        let message = match share > 2.0 {
+            true => words().fluctuation_of_motor_impossible().to_owned(),
+            false => words().fluctuation_of_motor_too_large().to_owned(),
         };
         let help = words().what_fluctuation_is();
-        fault(
-            place(&table.fluctuation),
-            message,
-            words().is_too_large(),
-            help,
-        );
+        fault(place("fluctuation"), message, words().is_too_large(), help);
     }
     if motor.speed.is_some_and(|speed| speed <= 0.0) {
         let message = words().speed_of_motor_not_positive().to_owned();
         let help = words().leave_unknown_out("speed");
-        fault(
-            place(&table.speed),
-            message,
-            words().is_not_positive(),
-            &help,
-        );
+        fault(place("speed"), message, words().is_not_positive(), &help);
     }
-}
-
-fn place<T>(value: &Option<Lenient<T>>) -> ByteSpan {
-    let span = value.as_ref().map(|value| value.span.clone());
-    span.unwrap_or_default()
 }

@@ -1,8 +1,8 @@
 //! Reads `[parameters]`: named numbers in any order, which may be formulas of each other.
 
 use super::figures::FormulaPlace;
-use super::reader::{Name, Reader, number_of};
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced, NamedNumbers};
+use super::reader::{Name, Reader};
+use crate::document::{Diagnostic, NamedNumbers, Written};
 use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
 use crate::wording::words;
 use std::collections::HashMap;
@@ -19,9 +19,6 @@ pub struct Parameter {
     /// The dimension, if a unit determines it; a plain number may measure anything.
     pub dimension: Option<Dimension>,
 }
-
-/// The section as written.
-pub(super) type ParameterEntries = Lenient<Entries<Lenient<f64>>>;
 
 /// A name with its formula.
 #[derive(Debug)]
@@ -43,22 +40,15 @@ struct WaitingParameter<'v> {
 }
 
 /// Reads the section and makes its names known to all formulas.
-pub(super) fn read<'v>(
-    reader: &mut Reader<'_>,
-    value: &'v ParameterEntries,
-) -> Vec<DraftParameter<'v>> {
-    reader.table("[parameters]", EXAMPLE, value);
+pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftParameter<'v>> {
     let mut draft = Vec::new();
     let mut waiting = Vec::new();
-    for (name, value) in value.entries() {
-        let formula = match number_of(reader.text(), value) {
-            Err(Misplaced::Text(text)) => Some(text.as_str()),
-            _ => None,
-        };
+    for (name, value) in reader.entries("[parameters]", EXAMPLE, value) {
+        let formula = value.get_ref().as_str();
         let worth = match formula {
             None => number(reader, &name, value),
             Some(text) => {
-                let span = value.span.clone();
+                let span = value.span();
                 waiting.extend(parsed(reader, &name, Name { text, span }));
                 None
             }
@@ -88,13 +78,9 @@ fn what(name: &Name<'_>) -> String {
     words().parameter_called(&name.to_string())
 }
 
-fn number(
-    reader: &mut Reader<'_>,
-    name: &Name<'_>,
-    value: &Lenient<f64>,
-) -> Option<MeasuredNumber> {
+fn number(reader: &mut Reader<'_>, name: &Name<'_>, value: &Written<'_>) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
-    let digits = reader.text().get(value.span.clone()).unwrap_or("");
+    let digits = reader.text().get(value.span()).unwrap_or("");
     // Whole numbers in another base are doubles.
     let typed = Wide::decimal(&digits.replace('_', ""));
     let typed = typed.filter(|typed| typed.nearest() == number);

@@ -1,9 +1,9 @@
 //! Reads named places, and the vectors between them.
 
-use super::reader::{CoordinatePair, Name, Points, Reader, quoted};
+use super::reader::{Name, Reader, quoted};
 use super::sighted::{ReadPlace, Sighted};
 use crate::Vec2;
-use crate::document::{Entries, Lenient};
+use crate::document::Written;
 use crate::wording::words;
 
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
@@ -45,10 +45,10 @@ pub(super) fn places<'v>(
     reader: &mut Reader<'_>,
     section: &str,
     what: &str,
-    value: &'v Points,
+    value: &'v Written<'v>,
 ) -> Vec<PlacedPoint<'v>> {
-    reader.table(section, "{ A = [0, 0] }", value);
-    let place = |(name, value): (Name<'v>, &CoordinatePair)| {
+    let entries = reader.entries(section, "{ A = [0, 0] }", value);
+    let place = |(name, value): (Name<'v>, &Written<'_>)| {
         let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
         PlacedPoint {
             name,
@@ -56,11 +56,8 @@ pub(super) fn places<'v>(
             sighted: None,
         }
     };
-    value.entries().map(place).collect()
+    entries.map(place).collect()
 }
-
-/// The section `[vectors]` as written.
-pub(super) type Vectors = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 #[derive(Debug)]
 pub(super) struct DraftVector<'t> {
@@ -70,21 +67,22 @@ pub(super) struct DraftVector<'t> {
 }
 
 /// Reads the section. Reports and omits vectors that could not be read.
-pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Vectors) -> Vec<DraftVector<'v>> {
-    reader.table("[vectors]", VECTOR, value);
-    let read = |(name, value)| vector(reader, name, value);
-    value.entries().filter_map(read).collect()
+pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftVector<'v>> {
+    let entries = reader.entries("[vectors]", VECTOR, value);
+    entries
+        .filter_map(|(name, value)| vector(reader, name, value))
+        .collect()
 }
 
 fn vector<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Lenient<Vec<Lenient<String>>>,
+    value: &'v Written<'v>,
 ) -> Option<DraftVector<'v>> {
     let what = words().vector_called(&quoted(name.text));
-    let ends = reader.two(&what, words().a_pair_of_points(), r#"["D", "A"]"#, value)?;
-    let tail = reader.string(&words().tail_of(&what), ends[0]);
-    let head = reader.string(&words().head_of(&what), ends[1]);
+    let [tail, head] = reader.two(&what, words().a_pair_of_points(), r#"["D", "A"]"#, value)?;
+    let tail = reader.string(&words().tail_of(&what), tail);
+    let head = reader.string(&words().head_of(&what), head);
     Some(DraftVector {
         tail: tail?,
         head: head?,

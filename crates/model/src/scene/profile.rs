@@ -1,12 +1,10 @@
 //! Reads functions of a coordinate, given as lists of knots `[coordinate, value]`.
 
-use super::reader::{ByteSpan, CoordinatePair, Reader};
+use super::reader::{ByteSpan, Reader};
+use super::table::KeyTable;
 use crate::Profile;
-use crate::document::{Diagnostic, Lenient};
+use crate::document::{Diagnostic, Written, items};
 use crate::wording::words;
-
-/// A list of knots as written.
-pub(super) type Knots = Lenient<Vec<CoordinatePair>>;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
 const GAS: &str = "force = [[200, 900], [300, 700]]";
@@ -21,16 +19,16 @@ struct Knot {
 }
 
 /// Reads the factor of a load over the driver's coordinate; without a list it is 1 everywhere.
-pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Profile> {
-    let Some(value) = value else {
+pub(super) fn over(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+    let Some(value) = table.get("over") else {
         return Some(Profile::default());
     };
-    let what = &words().key_of("over", words().the_load());
+    let what = &table.what(reader, "over");
     let knots = knots(reader, what, words().coordinate_and_factor(), OVER, value)?;
     if knots.len() < 2 {
         reader.report(
             Diagnostic::new(words().factor_never_changes(what))
-                .at(value.span.clone(), words().two_knots_are_needed())
+                .at(value.span(), words().two_knots_are_needed())
                 .help(words().put_factor_into_size()),
         );
         return None;
@@ -41,9 +39,10 @@ pub(super) fn over(reader: &mut Reader<'_>, value: Option<&Knots>) -> Option<Pro
 
 /// Reads the force of a press over the distance from the end of its stroke, in ascending or
 /// descending order of distance.
-pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
-    let what = &words().key_of("press", words().the_load());
-    let knots = knots(reader, what, words().distance_and_force(), PRESS, value)?;
+pub(super) fn press(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+    let what = &table.what(reader, "press");
+    let form = words().distance_and_force();
+    let knots = knots(reader, what, form, PRESS, table.get("press")?)?;
     let pulling = |knot| before_end(reader, what, knot).or_else(|| helping(reader, what, knot));
     if let Some(fault) = knots.iter().find_map(pulling) {
         reader.report(fault);
@@ -53,9 +52,15 @@ pub(super) fn press(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
 }
 
 /// Reads the force of a gas spring over its length, in ascending or descending order of length.
-pub(super) fn gas(reader: &mut Reader<'_>, value: &Knots) -> Option<Profile> {
-    let what = &words().key_of("force", words().the_spring());
-    let knots = knots(reader, what, words().length_and_force(), GAS, value)?;
+pub(super) fn gas(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+    let what = &table.what(reader, "force");
+    let knots = knots(
+        reader,
+        what,
+        words().length_and_force(),
+        GAS,
+        table.get("force")?,
+    )?;
     if let Some(fault) = knots.iter().find_map(|knot| shorter(reader, what, knot)) {
         reader.report(fault);
         return None;
@@ -68,7 +73,7 @@ pub(super) fn over_time(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Knots,
+    value: &Written<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let words = words();
     let sentences = CurveSentences {
@@ -84,7 +89,7 @@ pub(super) fn over_driver(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Knots,
+    value: &Written<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let words = words();
     let sentences = CurveSentences {
@@ -108,7 +113,7 @@ fn curve(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Knots,
+    value: &Written<'_>,
     sentences: &CurveSentences<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let knots = knots(reader, what, sentences.form, example, value)?;
@@ -125,7 +130,7 @@ fn curve(
     if knots.len() < 2 {
         reader.report(
             Diagnostic::new(words().table_of_one_knot(what))
-                .at(value.span.clone(), words().two_knots_are_needed())
+                .at(value.span(), words().two_knots_are_needed())
                 .help(words().for_example(example)),
         );
         return None;
@@ -191,16 +196,14 @@ fn knots(
     what: &str,
     form: &str,
     example: &str,
-    value: &Knots,
+    value: &Written<'_>,
 ) -> Option<Vec<Knot>> {
     let wanted = words().a_list_of_knots(form);
-    let fault = match &value.read {
-        Ok(items) if items.is_empty() => {
-            Diagnostic::new(words().must_be_but_is_empty(what, &wanted))
-                .at(value.span.clone(), words().no_knots())
-        }
-        Ok(items) => return each(reader, what, form, example, items),
-        Err(found) => reader.wrong_type(what, &wanted, found, &value.span),
+    let fault = match items(value) {
+        Some([]) => Diagnostic::new(words().must_be_but_is_empty(what, &wanted))
+            .at(value.span(), words().no_knots()),
+        Some(items) => return each(reader, what, form, example, items),
+        None => reader.mistyped(what, &wanted, value),
     };
     reader.report(fault.help(words().for_example(example)));
     None
@@ -211,7 +214,7 @@ fn each(
     what: &str,
     form: &str,
     example: &str,
-    items: &[CoordinatePair],
+    items: &[Written<'_>],
 ) -> Option<Vec<Knot>> {
     let mut knots = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {
@@ -220,8 +223,8 @@ fn each(
         knots.push(Knot {
             at: reader.number(&what, at)?,
             value: reader.number(&what, value)?,
-            at_place: at.span.clone(),
-            value_place: value.span.clone(),
+            at_place: at.span(),
+            value_place: value.span(),
         });
     }
     Some(knots)

@@ -18,7 +18,7 @@ pub(super) enum RateKind {
 
 /// The order of the derivative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Degree {
+pub enum Degree {
     /// First derivative, per second.
     Speed,
     /// Second derivative, per second squared.

@@ -4,14 +4,9 @@ use super::numeral::{is_rounded, number_length};
 use crate::Vec2;
 use crate::arithmetic::Decimal;
 pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced, has_decimal_comma};
+use crate::document::{Diagnostic, Written, has_decimal_comma, items, number_of};
 use crate::expression;
 use crate::wording::words;
-
-/// A pair of coordinates as written.
-pub(super) type CoordinatePair = Lenient<Vec<Lenient<f64>>>;
-/// Points by their names.
-pub(super) type Points = Lenient<Entries<CoordinatePair>>;
 
 /// Maximum absolute value of a coordinate or length. Squares of scaled values must stay finite, and
 /// no real mechanism comes near.
@@ -24,28 +19,29 @@ const TWICE_ROUNDED: f64 = 1e-29;
 
 impl Reader<'_> {
     /// Reads a finite number of permitted size.
-    pub fn number(&mut self, what: &str, value: &Lenient<f64>) -> Option<f64> {
-        let number = match number_of(self.text(), value) {
-            Ok(number) => {
-                let written = self.text().get(value.span.clone()).unwrap_or("");
+    pub fn number(&mut self, what: &str, value: &Written<'_>) -> Option<f64> {
+        let place = value.span();
+        let number = match (number_of(self.text(), value), value.get_ref().as_str()) {
+            (Some(number), _) => {
+                let written = self.text().get(place.clone()).unwrap_or("");
                 self.has_rounded |= is_rounded(written, number);
                 number
             }
-            Err(Misplaced::Text(formula)) => {
-                let worth = self.worked_out(what, formula, &value.span)?;
+            (None, Some(formula)) => {
+                let worth = self.worked_out(what, formula, &place)?;
                 let number = worth.nearest();
                 let decimal = Decimal::of(number);
                 let apart = (decimal.value - worth.value.twice()).hi.abs();
                 self.has_rounded |= !decimal.is_long && apart > TWICE_ROUNDED * number.abs();
                 number
             }
-            Err(found) => {
-                let fault = self.wrong_type(what, words().a_number(), found, &value.span);
+            (None, None) => {
+                let fault = self.mistyped(what, words().a_number(), value);
                 self.report(fault);
                 return None;
             }
         };
-        let literal = self.literal(&value.span);
+        let literal = self.literal(&place);
         // A comparison that also rejects NaN.
         if number.abs() <= MAX_SIZE {
             return Some(number);
@@ -71,110 +67,48 @@ impl Reader<'_> {
         };
         self.report(
             Diagnostic::new(words().must_be(what, rule, &literal))
-                .at(value.span.clone(), label)
+                .at(place, label)
                 .help(help),
         );
         None
     }
 
-    /// Reads an optional number that must not be negative; returns 0 if it is missing or invalid.
-    /// `unit` is appended to its name in messages.
-    pub(super) fn not_negative(
-        &mut self,
-        of: &str,
-        key: &str,
-        unit: &str,
-        value: Option<&Lenient<f64>>,
-    ) -> f64 {
-        let Some(value) = value else {
-            return 0.0;
-        };
-        let what = words().key_of(key, of) + unit;
-        let number = self.number(&what, value);
-        if number.is_some_and(|n| n < 0.0) {
-            let literal = self.literal(&value.span);
-            self.report(
-                Diagnostic::new(words().must_not_be_less_than_zero(&what, &literal))
-                    .at(value.span.clone(), words().is_negative())
-                    .help(words().leave_it_out(key)),
-            );
-        }
-        number.unwrap_or(0.0).max(0.0)
-    }
-
     /// Reads a pair `[x, y]`.
-    pub(super) fn pair(&mut self, what: &str, value: &CoordinatePair) -> Option<Vec2> {
-        let items = self.two(what, "[x, y]", "[12.5, 0]", value)?;
-        self.coordinates(what, items)
-    }
-
-    /// Reads a pair `[x, y]` from the items of a list.
-    pub(super) fn pair_of(
-        &mut self,
-        what: &str,
-        items: &[Lenient<f64>],
-        span: &ByteSpan,
-    ) -> Option<Vec2> {
-        let items = self.two_of(what, ("[x, y]", "[12.5, 0]"), items, span)?;
-        self.coordinates(what, items)
-    }
-
-    fn coordinates(&mut self, what: &str, [x, y]: [&Lenient<f64>; 2]) -> Option<Vec2> {
+    pub(super) fn pair(&mut self, what: &str, value: &Written<'_>) -> Option<Vec2> {
+        let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&words().part_of("x", what), x);
         let y = self.number(&words().part_of("y", what), y);
         Some(Vec2::new(x?, y?))
     }
 
     /// Reads a list of exactly two values.
-    pub(super) fn two<'v, T>(
+    pub(super) fn two<'v>(
         &mut self,
         what: &str,
         form: &str,
         example: &str,
-        value: &'v Lenient<Vec<T>>,
-    ) -> Option<[&'v T; 2]> {
-        let found = match &value.read {
-            Ok(items) => return self.two_of(what, (form, example), items, &value.span),
-            Err(found) => found,
+        value: &'v Written<'v>,
+    ) -> Option<[&'v Written<'v>; 2]> {
+        let Some(items) = items(value) else {
+            let fault = self.mistyped(what, &words().a_pair(form), value);
+            self.report(fault.help(words().for_example(example)));
+            return None;
         };
-        let fault = self.wrong_type(what, &words().a_pair(form), found, &value.span);
-        self.report(fault.help(words().for_example(example)));
-        None
-    }
-
-    /// Returns the two values of a list. Reports a list of another length, and returns `None`.
-    pub(super) fn two_of<'v, T>(
-        &mut self,
-        what: &str,
-        (form, example): (&str, &str),
-        items: &'v [T],
-        span: &ByteSpan,
-    ) -> Option<[&'v T; 2]> {
         if let [one, other] = items {
             return Some([one, other]);
         }
         let count = items.len();
-        let typed = self.text().get(span.clone()).unwrap_or("");
+        let typed = self.text().get(value.span()).unwrap_or("");
         let help = match count > 2 && has_decimal_comma(typed) {
             true => words().decimals_have_a_point("0.5"),
             false => words().for_example(example),
         };
         self.report(
             Diagnostic::new(words().must_be_a_pair(what, form, count))
-                .at(span.clone(), words().expected_two(count))
+                .at(value.span(), words().expected_two(count))
                 .help(help),
         );
         None
-    }
-
-    /// Reads an optional text.
-    pub(super) fn text_of<'v>(
-        &mut self,
-        key: &str,
-        of: &str,
-        value: Option<&'v Lenient<String>>,
-    ) -> Option<Name<'v>> {
-        self.string(&words().key_of(key, of), value?)
     }
 }
 
@@ -199,24 +133,10 @@ pub(super) fn bare_number(text: &str) -> Option<String> {
     Some(help)
 }
 
-/// Returns the nearest double of the digits in the text, infinite on overflow. TOML's own parser
-/// has no negative zero among integers, and is limited to 128 bits.
-pub(super) fn number_of<'v>(text: &str, value: &'v Lenient<f64>) -> Result<f64, &'v Misplaced> {
-    let number = match &value.read {
-        Ok(number) => *number,
-        Err(Misplaced::Unheld) => f64::INFINITY,
-        Err(found) => return Err(found),
-    };
-    let digits = text.get(value.span.clone()).unwrap_or("").replace('_', "");
-    // Numbers that begin with 0x, 0o or 0b do not parse as f64.
-    Ok(digits.parse().unwrap_or(number))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde::Deserialize;
-    use toml::de::ValueDeserializer;
+    use toml::de::DeValue;
 
     /// Accepts what the former hand-written reader did: integers of any length, and the sign of
     /// zero.
@@ -237,7 +157,7 @@ mod tests {
             ("-1e400", f64::NEG_INFINITY),
             ("inf", f64::INFINITY),
         ] {
-            let value = Lenient::deserialize(ValueDeserializer::parse(text).unwrap()).unwrap();
+            let value = DeValue::parse(text).unwrap();
             let found = number_of(text, &value).unwrap();
             assert_eq!(found.to_bits(), expected.to_bits(), "{text}: {found}");
         }

@@ -1,13 +1,12 @@
 //! Reads the accepted misfit of redundant constraints.
 
-use super::Unit;
 use super::draft::SceneDraft;
+use super::keys;
 use super::points::PlacedPoint;
 use super::reader::{ByteSpan, Reader};
 use crate::Vec2;
-use crate::document::{Diagnostic, Lenient};
+use crate::document::{Diagnostic, Written};
 use crate::wording::words;
-use serde::Deserialize;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
 /// Maximum accepted misfit relative to the longest length. A larger one cannot be a rounding error.
@@ -20,28 +19,16 @@ pub(super) struct Redundant {
     place: ByteSpan,
 }
 
-/// The section `[redundant]` as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct RedundantTable {
-    misfit: Option<Lenient<f64>>,
-}
-
 /// Reads the section.
-pub(super) fn read(
-    reader: &mut Reader<'_>,
-    unit: Unit,
-    value: &Lenient<RedundantTable>,
-) -> Redundant {
-    let of = "[redundant]";
-    let Some(table) = reader.table(of, EXAMPLE, value) else {
+pub(super) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
+    let names = ["[redundant]"; 2];
+    let Some(table) = reader.open(names, keys::REDUNDANT, EXAMPLE, value) else {
         return Redundant::default();
     };
-    reader.only(of, value);
-    let of_unit = format!(" ({})", unit.symbol());
-    let given = table.misfit.as_ref();
+    reader.only_known(&table);
     Redundant {
-        misfit: reader.not_negative(of, "misfit", &of_unit, given),
-        place: given.map(|misfit| misfit.span.clone()).unwrap_or_default(),
+        misfit: reader.number_of(&table, "misfit").unwrap_or(0.0),
+        place: table.get("misfit").map(Written::span).unwrap_or_default(),
     }
 }
 

@@ -4,79 +4,17 @@
 //! points = { P = [150, 80], E = { from = "D", length = 180, angle = 72 } }
 //! ```
 
-use super::link::{DraftLink, LengthHints, length};
+use super::keys;
+use super::link::DraftLink;
 use super::points::PlacedPoint;
 use super::reader::{Name, Reader, quoted};
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
+use super::table::KeyTable;
+use crate::document::{Diagnostic, Written, items};
 use crate::wording::words;
 use crate::{Constant, Vec2, mechanism};
-use serde::de::{IgnoredAny, MapAccess, SeqAccess, Visitor};
-use serde::{Deserialize, Deserializer};
 use std::collections::{HashMap, HashSet, VecDeque};
-use std::fmt;
 
-/// The keys of a place by length and angle.
-pub(super) const KEYS: [&str; 3] = ["from", "length", "angle"];
 const SIGHTED: &str = r#"{ from = "D", length = 180, angle = 72 }"#;
-
-/// A place on a link as written.
-pub(super) type LinkPlace = Lenient<WrittenPlace>;
-/// Named points of a link as written.
-pub(super) type LinkPlaces = Lenient<Entries<LinkPlace>>;
-
-/// A place in either form.
-#[derive(Debug)]
-pub(super) enum WrittenPlace {
-    Pair(Vec<Lenient<f64>>),
-    Sighted(Box<SightedTable>),
-}
-
-/// A place by length and angle as written.
-#[derive(Debug, Default)]
-pub(super) struct SightedTable {
-    from: Option<Lenient<String>>,
-    length: Option<Lenient<f64>>,
-    angle: Option<Lenient<f64>>,
-}
-
-impl<'de> Deserialize<'de> for WrittenPlace {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ListOrTable)
-    }
-}
-
-/// Accepts a list or a table only.
-struct ListOrTable;
-
-impl<'de> Visitor<'de> for ListOrTable {
-    type Value = WrittenPlace;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a list or a table")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<WrittenPlace, A::Error> {
-        let mut items = Vec::new();
-        while let Some(item) = list.next_element()? {
-            items.push(item);
-        }
-        Ok(WrittenPlace::Pair(items))
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<WrittenPlace, A::Error> {
-        let mut table = SightedTable::default();
-        while let Some(key) = map.next_key::<String>()? {
-            match key.as_str() {
-                "from" => table.from = Some(map.next_value()?),
-                "length" => table.length = Some(map.next_value()?),
-                "angle" => table.angle = Some(map.next_value()?),
-                // The key is reported as unknown, so its value does not matter.
-                _ => drop(map.next_value::<Lenient<IgnoredAny>>()?),
-            }
-        }
-        Ok(WrittenPlace::Sighted(Box::new(table)))
-    }
-}
 
 /// A place by length and angle.
 #[derive(Debug)]
@@ -100,58 +38,37 @@ pub(super) fn place<'v>(
     reader: &mut Reader<'_>,
     what: &str,
     owner: &Name<'_>,
-    value: &'v LinkPlace,
+    value: &'v Written<'v>,
 ) -> Option<ReadPlace<'v>> {
-    match &value.read {
-        Ok(WrittenPlace::Sighted(table)) => {
-            reader.only_these(what, &value.keys, &KEYS);
-            sighted(reader, what, owner, value, table).map(ReadPlace::Sighted)
-        }
-        Ok(WrittenPlace::Pair(items)) => {
-            reader.pair_of(what, items, &value.span).map(ReadPlace::At)
-        }
-        Err(found) => {
-            not_a_place(reader, what, found, value);
-            None
-        }
+    if let Some(entries) = value.get_ref().as_table() {
+        let table = KeyTable::new(what, keys::PLACE, entries, value.span());
+        return sighted(reader, owner, &table).map(ReadPlace::Sighted);
     }
-}
-
-fn not_a_place(reader: &mut Reader<'_>, what: &str, found: &Misplaced, value: &LinkPlace) {
-    let fault = reader.wrong_type(what, &words().a_pair("[x, y]"), found, &value.span);
+    if items(value).is_some() {
+        return reader.pair(what, value).map(ReadPlace::At);
+    }
+    let fault = reader.mistyped(what, &words().a_pair("[x, y]"), value);
     reader.report(
         fault
             .help(words().for_example("[12.5, 0]"))
             .help(words().or_by_length_and_angle(SIGHTED)),
     );
+    None
 }
 
 fn sighted<'v>(
     reader: &mut Reader<'_>,
-    what: &str,
     owner: &Name<'_>,
-    value: &LinkPlace,
-    table: &'v SightedTable,
+    table: &KeyTable<'v>,
 ) -> Option<Sighted<'v>> {
-    for (key, is_given) in [
-        ("length", table.length.is_some()),
-        ("angle", table.angle.is_some()),
-    ] {
-        // A misspelt key was already reported; do not report the missing key as well.
-        if !is_given && !meant(&value.keys, &KEYS, key) {
-            reader.report(
-                Diagnostic::new(words().of_has_no(what, key))
-                    .at(owner.span.clone(), words().is_missing(key))
-                    .help(words().for_example(SIGHTED)),
-            );
-        }
+    reader.only_known(table);
+    for key in ["length", "angle"] {
+        reader.require(table, key, &owner.span, SIGHTED);
     }
-    let from = reader.text_of("from", what, table.from.as_ref());
-    let given = table.length.as_ref();
-    let length = given.and_then(|given| length(reader, what, given, &LengthHints::of_point()));
-    let key = words().key_of("angle", what) + " (deg)";
-    let angle = table.angle.as_ref().and_then(|v| reader.number(&key, v));
-    let is_lost = table.from.is_some() && from.is_none();
+    let from = reader.text_of(table, "from");
+    let length = reader.number_of(table, "length");
+    let angle = reader.number_of(table, "angle");
+    let is_lost = table.has("from") && from.is_none();
     let (length, angle) = (length?, angle?);
     (!is_lost).then_some(Sighted {
         from,

@@ -2,29 +2,13 @@
 
 use super::deviations::{self, DraftTolerance};
 use super::keys;
-use super::reader::{CoordinatePair, Name, Reader};
+use super::reader::{Name, Reader};
+use super::table::KeyTable;
 use crate::Vec2;
-use crate::document::{Diagnostic, Entries, Lenient, Misplaced, meant};
+use crate::document::{Diagnostic, Written};
 use crate::wording::words;
-use serde::Deserialize;
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
-
-/// The section `[slides]` as written.
-pub(super) type Slides = Lenient<Entries<Lenient<SlideTable>>>;
-
-/// A slide as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct SlideTable {
-    point: Option<Lenient<String>>,
-    link: Option<Lenient<String>>,
-    on: Option<Lenient<String>>,
-    /// Coordinates, or the name of a point.
-    through: Option<CoordinatePair>,
-    angle: Option<Lenient<f64>>,
-    turn: Option<Lenient<f64>>,
-    tolerance: Option<Lenient<f64>>,
-}
 
 #[derive(Debug)]
 pub(super) struct DraftSlide<'t> {
@@ -51,17 +35,14 @@ pub(super) enum Through<'t> {
 }
 
 /// Reads the section.
-pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Slides) -> Vec<DraftSlide<'v>> {
-    reader.table("[slides]", SLIDE, value);
-    let read = |(name, value)| slide(reader, name, value);
-    value.entries().map(read).collect()
+pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSlide<'v>> {
+    let slides = reader.entries("[slides]", SLIDE, value);
+    slides
+        .map(|(name, value)| slide(reader, name, value))
+        .collect()
 }
 
-fn slide<'v>(
-    reader: &mut Reader<'_>,
-    name: Name<'v>,
-    value: &'v Lenient<SlideTable>,
-) -> DraftSlide<'v> {
+fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Written<'v>) -> DraftSlide<'v> {
     let of = words().slide_called(&name.to_string());
     let mut slide = DraftSlide {
         name,
@@ -71,100 +52,73 @@ fn slide<'v>(
         angle: 0.0,
         tolerance: None,
     };
-    let Some(table) = reader.table(&of, SLIDE, value) else {
+    let Some(mut table) = reader.open([&of, &of], keys::SLIDE, SLIDE, value) else {
         return slide;
     };
-    slide.slider = slider(reader, &of, &slide.name, value, table);
-    slide.angle = angle(reader, &of, "angle", table.angle.as_ref());
-    let tolerance = table.tolerance.as_ref();
-    let what = words().key_of("tolerance", &of);
-    slide.tolerance = tolerance.and_then(|value| deviations::tolerance(reader, &what, value));
-    let mut required = |key: &str, given: bool, example: &str| {
-        // A misspelt key was already reported; do not report the missing key as well.
-        let misspelt = || meant(&value.keys, &keys::of(keys::SLIDE, "link"), key);
-        if !given && !misspelt() {
-            reader.report(
-                Diagnostic::new(words().of_has_no(&of, key))
-                    .at(slide.name.span.clone(), words().is_missing(key))
-                    .help(words().for_example(example)),
-            );
-        }
-    };
-    required("on", table.on.is_some(), r#"on = "ground""#);
-    required("through", table.through.is_some(), "through = [0, 0]");
-    slide.on = reader.text_of("on", &of, table.on.as_ref());
-    let given = table.through.as_ref();
-    slide.through = given.and_then(|given| through(reader, &of, given));
+    slide.slider = slider(reader, &slide.name, &mut table);
+    slide.angle = reader.number_of(&table, "angle").unwrap_or(0.0);
+    slide.tolerance = deviations::tolerance_of(reader, &table);
+    table.kind = "link";
+    let place = &slide.name.span;
+    reader.require(&table, "on", place, r#"on = "ground""#);
+    reader.require(&table, "through", place, "through = [0, 0]");
+    slide.on = reader.text_of(&table, "on");
+    slide.through = through(reader, &table);
     slide
 }
 
 /// Reads a point of the guide, by name or by coordinates.
-fn through<'v>(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &'v CoordinatePair,
-) -> Option<Through<'v>> {
-    if let Err(Misplaced::Text(text)) = &value.read {
-        let span = value.span.clone();
+fn through<'v>(reader: &mut Reader<'_>, table: &KeyTable<'v>) -> Option<Through<'v>> {
+    let value = table.get("through")?;
+    if let Some(text) = value.get_ref().as_str() {
+        let span = value.span();
         return Some(Through::Point(Name { text, span }));
     }
-    let at = reader.pair(&words().key_of("through", of), value);
-    at.map(Through::At)
+    reader.pair_of(table, "through").map(Through::At)
 }
 
 /// Reads the slider: a pin or a link.
 fn slider<'v>(
     reader: &mut Reader<'_>,
-    of: &str,
     name: &Name<'v>,
-    value: &Lenient<SlideTable>,
-    table: &'v SlideTable,
+    table: &mut KeyTable<'v>,
 ) -> Option<DraftSlider<'v>> {
     let fault = |message: String, label: &str| {
         Diagnostic::new(message)
             .at(name.span.clone(), label)
             .help(words().pin_or_link())
     };
-    match (&table.point, &table.link) {
-        (Some(point), None) => {
-            if let Some(key) = value.key("turn") {
+    match (table.has("point"), table.has("link")) {
+        (true, false) => {
+            table.kind = "point";
+            if let Some(key) = table.key("turn") {
                 reader.report(
-                    Diagnostic::new(words().pin_has_no_turn(of))
-                        .at(key.span(), words().for_slide_of_link())
+                    Diagnostic::new(words().pin_has_no_turn(&table.of))
+                        .at(key.span, words().for_slide_of_link())
                         .help(words().slide_the_link()),
                 );
             } else {
-                reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "point"));
+                reader.only_known(table);
             }
-            let pin = reader.string(&words().key_of("point", of), point)?;
-            Some(DraftSlider::Pin(pin))
+            reader.text_of(table, "point").map(DraftSlider::Pin)
         }
-        (None, Some(link)) => {
-            reader.only_these(of, &value.keys, &keys::of(keys::SLIDE, "link"));
-            let turn = angle(reader, of, "turn", table.turn.as_ref());
-            let link = reader.string(&words().key_of("link", of), link)?;
+        (false, true) => {
+            table.kind = "link";
+            reader.only_known(table);
+            let turn = reader.number_of(table, "turn").unwrap_or(0.0);
+            let link = reader.text_of(table, "link")?;
             Some(DraftSlider::Link { link, turn })
         }
-        (Some(_), Some(_)) => {
-            reader.report(fault(
-                words().has_point_and_link(of),
-                words().one_of_them_slides(),
-            ));
+        (true, true) => {
+            let label = words().one_of_them_slides();
+            reader.report(fault(words().has_point_and_link(&table.of), label));
             None
         }
-        (None, None) => {
-            reader.only(of, value);
-            reader.report(fault(
-                words().has_no_point_nor_link(of),
-                words().nothing_slides_here(),
-            ));
+        (false, false) => {
+            reader.only_known(table);
+            let label = words().nothing_slides_here();
+            reader.report(fault(words().has_no_point_nor_link(&table.of), label));
             None
         }
     }
-}
-
-/// Reads an angle in degrees; 0 if it is missing.
-fn angle(reader: &mut Reader<'_>, of: &str, key: &str, value: Option<&Lenient<f64>>) -> f64 {
-    let angle = value.and_then(|v| reader.number(&(words().key_of(key, of) + " (deg)"), v));
-    angle.unwrap_or(0.0)
 }

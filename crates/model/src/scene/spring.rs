@@ -3,31 +3,14 @@
 
 use super::keys;
 use super::loads::{ListExample, list, said};
-use super::profile::{self, Knots};
+use super::profile;
 use super::reader::{Name, Reader};
+use super::table::KeyTable;
 use crate::Profile;
-use crate::document::{Diagnostic, Lenient, WrittenKey};
+use crate::document::{Diagnostic, Written};
 use crate::wording::words;
-use serde::Deserialize;
 
 const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
-
-/// The list `[[springs]]` as written.
-pub(super) type Springs = Lenient<Vec<Lenient<SpringTable>>>;
-
-/// A spring as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct SpringTable {
-    from: Option<Lenient<String>>,
-    to: Option<Lenient<String>>,
-    stiffness: Option<Lenient<f64>>,
-    length: Option<Lenient<f64>>,
-    force: Option<Knots>,
-    link: Option<Lenient<String>>,
-    angle: Option<Lenient<f64>>,
-    preload: Option<Lenient<f64>>,
-    damping: Option<Lenient<f64>>,
-}
 
 #[derive(Debug)]
 pub(super) struct DraftSpring<'t> {
@@ -66,10 +49,10 @@ enum SpringKind {
 
 impl SpringKind {
     /// Returns the kind by its keys: a torsion spring has `link`, a gas spring `force`.
-    fn of(value: &Lenient<SpringTable>) -> SpringKind {
-        if value.key("link").is_some() {
+    fn of(table: &KeyTable<'_>) -> SpringKind {
+        if table.has("link") {
             SpringKind::Torsion
-        } else if value.key("force").is_some() {
+        } else if table.has("force") {
             SpringKind::Gas
         } else {
             SpringKind::Line
@@ -81,7 +64,7 @@ impl SpringKind {
         match self {
             SpringKind::Line => "spring",
             SpringKind::Gas => "gas",
-            SpringKind::Torsion => "torsion",
+            SpringKind::Torsion => keys::TORSION,
         }
     }
 
@@ -100,32 +83,37 @@ impl SpringKind {
             SpringKind::Torsion => words().rule_of_torsion_springs(),
         }
     }
-
-    fn units(self) -> [&'static str; 3] {
-        match self {
-            SpringKind::Line | SpringKind::Gas => [" (N/m)", " (N)", " (N s/m)"],
-            SpringKind::Torsion => [" (N m/rad)", " (N m)", " (N m s/rad)"],
-        }
-    }
 }
 
 /// Reads the springs. Reports and omits those that could not be read.
-pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Springs) -> Vec<DraftSpring<'v>> {
+pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSpring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
 }
 
-fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Option<DraftSpring<'v>> {
-    let of = words().the_spring();
-    let table = reader.table(words().a_spring(), &said(SPRING), value)?;
-    reader.only(of, value);
-    let kind = SpringKind::of(value);
-    foreign(reader, &value.keys, kind);
-    let (from, to) = ends(reader, value, table, kind);
-    let law = law(reader, table, kind);
-    let damping = reader.not_negative(of, "damping", kind.units()[2], table.damping.as_ref());
-    sized(reader, value, kind);
-    let is_whole = kind == SpringKind::Torsion && value.key("to").is_none();
+fn spring<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Option<DraftSpring<'v>> {
+    let names = [words().a_spring(), words().the_spring()];
+    let mut table = reader.open(names, keys::SPRING, &said(SPRING), value)?;
+    reader.only_known(&table);
+    let kind = SpringKind::of(&table);
+    foreign(reader, &table, kind);
+    let (from, to) = ends(reader, &table, kind);
+    let is_sized = sized(&table, kind);
+    let is_whole = kind == SpringKind::Torsion && !table.has("to");
+    table.kind = kind.key();
+    let law = law(reader, &table, kind);
+    let damping = reader.number_of(&table, "damping").unwrap_or(0.0);
+    if !is_sized {
+        let help = match kind {
+            SpringKind::Torsion => words().give_torsion_spring_a_size(),
+            SpringKind::Line | SpringKind::Gas => words().give_spring_a_size(),
+        };
+        reader.report(
+            Diagnostic::new(words().spring_has_no_size())
+                .at(table.span, words().does_nothing())
+                .help(help),
+        );
+    }
     Some(DraftSpring {
         from: from?,
         to: if is_whole { None } else { Some(to?) },
@@ -137,45 +125,36 @@ fn spring<'v>(reader: &mut Reader<'_>, value: &'v Lenient<SpringTable>) -> Optio
 /// Reads the two ends and reports missing ones. A torsion spring may be fixed to the ground.
 fn ends<'v>(
     reader: &mut Reader<'_>,
-    value: &Lenient<SpringTable>,
-    table: &'v SpringTable,
+    table: &KeyTable<'v>,
     kind: SpringKind,
 ) -> (Option<Name<'v>>, Option<Name<'v>>) {
-    let mut end = |key: &str, given: &'v Option<Lenient<String>>, is_needed: bool| {
-        if is_needed && given.is_none() && !value.meant(key) {
+    let mut end = |key: &str, is_needed: bool| {
+        if is_needed && !table.has(key) && !table.meant(key) {
             reader.report(
                 Diagnostic::new(words().spring_lacks_end(key))
-                    .at(value.span.clone(), words().springs_have_two_ends())
+                    .at(table.span.clone(), words().springs_have_two_ends())
                     .help(words().for_example(&said(SPRING))),
             );
         }
-        reader.text_of(key, words().the_spring(), given.as_ref())
+        reader.text_of(table, key)
     };
     match kind {
-        SpringKind::Line | SpringKind::Gas => {
-            (end("from", &table.from, true), end("to", &table.to, true))
-        }
-        SpringKind::Torsion => (end("link", &table.link, true), end("to", &table.to, false)),
+        SpringKind::Line | SpringKind::Gas => (end("from", true), end("to", true)),
+        SpringKind::Torsion => (end("link", true), end("to", false)),
     }
 }
 
-fn law(reader: &mut Reader<'_>, table: &SpringTable, kind: SpringKind) -> Option<DraftLaw> {
-    let of = words().the_spring();
-    let [stiff, loaded, _] = kind.units();
-    let stiffness = reader.not_negative(of, "stiffness", stiff, table.stiffness.as_ref());
-    let mut number = |key: &str, unit: &str, given: &Option<Lenient<f64>>| match given {
-        Some(value) => reader.number(&(words().key_of(key, of) + unit), value),
-        None => Some(0.0),
-    };
-    let preload = number("preload", loaded, &table.preload);
-    let angle = number("angle", " (deg)", &table.angle);
+fn law(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: SpringKind) -> Option<DraftLaw> {
+    let stiffness = reader.number_of(table, "stiffness").unwrap_or(0.0);
+    let preload = reader.number_or(table, "preload", 0.0);
+    let angle = reader.number_or(table, "angle", 0.0);
     Some(match kind {
         SpringKind::Line => DraftLaw::Line {
             stiffness,
-            length: reader.not_negative(of, "length", "", table.length.as_ref()),
+            length: reader.number_of(table, "length").unwrap_or(0.0),
             preload: preload?,
         },
-        SpringKind::Gas => DraftLaw::Gas(profile::gas(reader, table.force.as_ref()?)?),
+        SpringKind::Gas => DraftLaw::Gas(profile::gas(reader, table)?),
         SpringKind::Torsion => DraftLaw::Torsion {
             stiffness,
             angle: angle?,
@@ -184,33 +163,18 @@ fn law(reader: &mut Reader<'_>, table: &SpringTable, kind: SpringKind) -> Option
     })
 }
 
-/// Reports a spring without stiffness, damping or preload.
-fn sized(reader: &mut Reader<'_>, value: &Lenient<SpringTable>, kind: SpringKind) {
-    let is_given = |key: &&str| value.key(key).is_some() || value.meant(key);
-    if kind != SpringKind::Gas && !["stiffness", "damping", "preload"].iter().any(is_given) {
-        let help = match kind {
-            SpringKind::Torsion => words().give_torsion_spring_a_size(),
-            SpringKind::Line | SpringKind::Gas => words().give_spring_a_size(),
-        };
-        reader.report(
-            Diagnostic::new(words().spring_has_no_size())
-                .at(value.span.clone(), words().does_nothing())
-                .help(help),
-        );
-    }
+/// Returns `true` if a spring has a stiffness, a damping or a preload, as far as its kind needs one.
+fn sized(table: &KeyTable<'_>, kind: SpringKind) -> bool {
+    let is_given = |key: &&str| table.has(key) || table.meant(key);
+    kind == SpringKind::Gas || ["stiffness", "damping", "preload"].iter().any(is_given)
 }
 
 /// Reports keys that belong to another kind of spring.
-fn foreign(reader: &mut Reader<'_>, given: &[WrittenKey], kind: SpringKind) {
-    let fitting = keys::of(keys::SPRING, kind.key());
-    for key in given {
-        let text = key.get_ref().as_str();
-        if fitting.contains(&text) || keys::find(keys::SPRING, text).is_none() {
-            continue;
-        }
+fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: SpringKind) {
+    for key in table.strays(kind.key()) {
         reader.report(
-            Diagnostic::new(words().spring_kind_has_no_key(kind.name(), text))
-                .at(key.span(), words().not_for_kind(kind.name()))
+            Diagnostic::new(words().spring_kind_has_no_key(kind.name(), key.text))
+                .at(key.span, words().not_for_kind(kind.name()))
                 .help(kind.rule()),
         );
     }

@@ -1,29 +1,18 @@
 //! Reads the inputs that follow the driver.
 
 use super::input::{DraftInput, seat};
-use super::profile::{self, Knots};
+use super::keys;
+use super::profile;
 use super::rate::RateKind;
 use super::reader::{ByteSpan, Name, Reader};
 use super::resolve::Resolver;
-use crate::document::{Diagnostic, Entries, Lenient};
+use super::table::KeyTable;
+use crate::document::{Diagnostic, Written};
 use crate::wording::words;
 use crate::{Input, InputLaw, InputTable, TimedInput};
-use serde::Deserialize;
 
 const INPUT: &str = "r7 = { ratio = 1, phase = 30 }";
 const TABLE: &str = "rod = { over = [[1.0, 0.2], [1.3, 0.35]] }";
-
-/// The section `[inputs]` as written.
-pub(super) type TimedInputs = Lenient<Entries<Lenient<TimedTable>>>;
-
-/// An input as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct TimedTable {
-    ratio: Option<Lenient<f64>>,
-    phase: Option<Lenient<f64>>,
-    over: Option<Knots>,
-    from: Option<Lenient<String>>,
-}
 
 #[derive(Debug)]
 pub(super) struct DraftTimed<'t> {
@@ -31,7 +20,7 @@ pub(super) struct DraftTimed<'t> {
     pub(super) name: Name<'t>,
     law: DraftInputLaw,
     /// The link that carries its motor, as written; `None` for the ground.
-    from: Option<&'t Lenient<String>>,
+    from: Option<&'t Written<'t>>,
 }
 
 #[derive(Debug)]
@@ -47,63 +36,52 @@ enum DraftInputLaw {
 }
 
 /// Reads the section.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v TimedInputs) -> Vec<DraftTimed<'v>> {
-    reader.table("[inputs]", INPUT, value);
-    let read = |(name, value)| input(reader, name, value);
-    value.entries().filter_map(read).collect()
+pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftTimed<'v>> {
+    let entries = reader.entries("[inputs]", INPUT, value);
+    entries
+        .filter_map(|(name, value)| input(reader, name, value))
+        .collect()
 }
 
 fn input<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Lenient<TimedTable>,
+    value: &'v Written<'v>,
 ) -> Option<DraftTimed<'v>> {
     let of = words().input_called(&name.to_string());
-    let table = reader.table(&of, INPUT, value)?;
-    reader.only(&of, value);
-    let law = match &table.over {
-        Some(over) => by_table(reader, &of, value, over)?,
-        None => in_proportion(reader, &of, table)?,
+    let table = reader.open([&of, &of], keys::TIMED, INPUT, value)?;
+    reader.only_known(&table);
+    let law = match table.get("over") {
+        Some(over) => by_table(reader, &table, over)?,
+        None => {
+            let ratio = reader.number_or(&table, "ratio", 1.0);
+            let phase = reader.number_or(&table, "phase", 0.0);
+            let (ratio, phase) = (ratio?, phase?);
+            DraftInputLaw::Ratio { ratio, phase }
+        }
     };
-    Some(DraftTimed {
-        name,
-        law,
-        from: table.from.as_ref(),
-    })
-}
-
-fn in_proportion(reader: &mut Reader<'_>, of: &str, table: &TimedTable) -> Option<DraftInputLaw> {
-    let mut number = |key: &str, given: Option<&Lenient<f64>>, default| match given {
-        None => Some(default),
-        Some(given) => reader.number(&words().key_of(key, of), given),
-    };
-    let ratio = number("ratio", table.ratio.as_ref(), 1.0);
-    let phase = number("phase", table.phase.as_ref(), 0.0);
-    let (ratio, phase) = (ratio?, phase?);
-    Some(DraftInputLaw::Ratio { ratio, phase })
+    let from = table.get("from");
+    Some(DraftTimed { name, law, from })
 }
 
 fn by_table(
     reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<TimedTable>,
-    over: &Knots,
+    table: &KeyTable<'_>,
+    over: &Written<'_>,
 ) -> Option<DraftInputLaw> {
-    let mut others = value.keys.iter();
-    let other = others.find(|key| ["ratio", "phase"].contains(&key.get_ref().as_str()));
-    if let Some(other) = other {
-        let key = other.get_ref();
+    let place = over.span();
+    let mut others = table.names();
+    if let Some(other) = others.find(|key| ["ratio", "phase"].contains(&key.text)) {
         reader.report(
-            Diagnostic::new(words().table_beside(of, key))
-                .at(other.span(), words().says_the_same_otherwise())
-                .and(over.span.clone(), words().the_table())
+            Diagnostic::new(words().table_beside(&table.of, other.text))
+                .at(other.span, words().says_the_same_otherwise())
+                .and(place, words().the_table())
                 .help(words().for_example(TABLE)),
         );
         return None;
     }
-    let what = words().key_of("over", of);
+    let what = table.what(reader, "over");
     let knots = profile::over_driver(reader, &what, TABLE, over)?;
-    let place = over.span.clone();
     Some(DraftInputLaw::Table { knots, place })
 }
 

@@ -1,27 +1,14 @@
 //! Reads the driver's motion over time, step by step.
 
+use super::keys;
 use super::limits::DraftEnds;
-use super::profile::{self, Knots};
+use super::profile;
 use super::reader::{ByteSpan, Reader};
-use crate::document::{Diagnostic, Lenient};
+use super::table::KeyTable;
+use crate::document::{Diagnostic, Written, items};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use crate::{ClampedSpline, MotionLaw, StepLaw, TimedStep};
-use serde::Deserialize;
-
-/// The list `motion` as written.
-pub(super) type MotionList = Lenient<Vec<Lenient<StepTable>>>;
-
-/// A step of a motion as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct StepTable {
-    law: Option<Lenient<String>>,
-    to: Option<Lenient<f64>>,
-    time: Option<Lenient<f64>>,
-    ramp: Option<Lenient<f64>>,
-    knots: Option<Knots>,
-    dwell: Option<Lenient<f64>>,
-}
 
 const STEP: &str = r#"{ law = "cycloidal", to = 120, time = 0.5 }"#;
 const LAWS: [&str; 5] = ["constant", "harmonic", "cycloidal", "trapezoid", "table"];
@@ -40,15 +27,15 @@ pub(super) struct MotionFrame<'r> {
 pub(super) fn read(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
-    value: &MotionList,
+    what: &str,
+    value: &Written<'_>,
 ) -> Option<MotionLaw> {
-    let what = words().key_of("motion", words().the_driver());
     let (wanted, example) = (words().a_list_of_steps(), format!("motion = [{STEP}, ...]"));
-    let fault = match &value.read {
-        Ok(items) if !items.is_empty() => return steps(reader, frame, items, &value.span),
-        Ok(_) => Diagnostic::new(words().must_be_but_is_empty(&what, wanted))
-            .at(value.span.clone(), words().no_steps()),
-        Err(found) => reader.wrong_type(&what, wanted, found, &value.span),
+    let fault = match items(value) {
+        Some([]) => Diagnostic::new(words().must_be_but_is_empty(what, wanted))
+            .at(value.span(), words().no_steps()),
+        Some(items) => return steps(reader, frame, items, &value.span()),
+        None => reader.mistyped(what, wanted, value),
     };
     reader.report(fault.help(words().for_example(&example)));
     None
@@ -57,7 +44,7 @@ pub(super) fn read(
 fn steps(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
-    items: &[Lenient<StepTable>],
+    items: &[Written<'_>],
     place: &ByteSpan,
 ) -> Option<MotionLaw> {
     let mut steps = Vec::with_capacity(items.len());
@@ -90,7 +77,7 @@ fn stays_in_range(
     frame: &MotionFrame<'_>,
     number: usize,
     to: Option<f64>,
-    item: &Lenient<StepTable>,
+    item: &Written<'_>,
 ) {
     let (Some(range), Some(to)) = (frame.range, to) else {
         return;
@@ -98,7 +85,7 @@ fn stays_in_range(
     if !(range.low..=range.high).contains(&to) {
         reader.report(
             Diagnostic::new(words().step_leaves_range(number, to, range.low, range.high))
-                .at(item.span.clone(), words().beyond_a_stop())
+                .at(item.span(), words().beyond_a_stop())
                 .and(range.place.clone(), words().the_stops()),
         );
     }
@@ -108,105 +95,81 @@ fn step(
     reader: &mut Reader<'_>,
     number: usize,
     from: Option<f64>,
-    value: &Lenient<StepTable>,
+    value: &Written<'_>,
 ) -> Option<TimedStep> {
     let of = words().step_of_motion(number);
-    let table = reader.table(&of, STEP, value)?;
-    reader.only(&of, value);
-    let law = match (&table.law, &table.dwell) {
-        (Some(law), None) => law_of(reader, &of, law)?,
-        (None, Some(time)) => {
-            foreign(reader, &of, value, &["dwell"]);
-            let time = positive(reader, &of, "dwell", time)?;
+    let table = &reader.open([&of, &of], keys::STEP, STEP, value)?;
+    reader.only_known(table);
+    let law = match (table.has("law"), table.has("dwell")) {
+        (true, false) => law_of(reader, table)?,
+        (false, true) => {
+            foreign(reader, table, "dwell");
+            let time = reader.number_of(table, "dwell")?;
             let (law, to) = (StepLaw::Constant, from?);
             return Some(TimedStep::Law { law, to, time });
         }
-        (law, _) => {
+        (has_law, _) => {
             // A misspelt key was already reported.
-            if law.is_some() || !(value.meant("law") || value.meant("dwell")) {
+            if has_law || !(table.meant("law") || table.meant("dwell")) {
                 reader.report(
                     Diagnostic::new(words().step_has_one_of(&of, "law", "dwell"))
-                        .at(value.span.clone(), words().how_does_it_move())
+                        .at(table.span.clone(), words().how_does_it_move())
                         .help(words().for_example(&format!("{STEP}, {{ dwell = 0.2 }}"))),
                 );
             }
             return None;
         }
     };
-    match law {
-        "table" => {
-            foreign(reader, &of, value, &["law", "knots"]);
-            through_knots(reader, &of, from, value, table)
-        }
-        "trapezoid" => {
-            foreign(reader, &of, value, &["law", "to", "time", "ramp"]);
-            let ramp = match &table.ramp {
-                Some(ramp) => part(reader, &of, ramp)?,
-                None => RAMP,
-            };
-            by_law(reader, &of, value, table, StepLaw::Trapezoid { ramp })
-        }
-        plain => {
-            foreign(reader, &of, value, &["law", "to", "time"]);
-            let law = match plain {
-                "harmonic" => StepLaw::Harmonic,
-                "cycloidal" => StepLaw::Cycloidal,
-                _ => StepLaw::Constant,
-            };
-            by_law(reader, &of, value, table, law)
-        }
+    foreign(reader, table, law);
+    let law = match law {
+        "table" => return through_knots(reader, from, table),
+        "trapezoid" => StepLaw::Trapezoid {
+            ramp: reader.number_or(table, "ramp", RAMP)?,
+        },
+        "harmonic" => StepLaw::Harmonic,
+        "cycloidal" => StepLaw::Cycloidal,
+        _ => StepLaw::Constant,
+    };
+    for key in ["to", "time"] {
+        reader.require(table, key, &table.span, STEP);
     }
+    let to = reader.number_of(table, "to");
+    let time = reader.number_of(table, "time")?;
+    Some(TimedStep::Law { law, to: to?, time })
 }
 
 /// Reads the name of a law.
-fn law_of<'v>(reader: &mut Reader<'_>, of: &str, value: &'v Lenient<String>) -> Option<&'v str> {
-    let name = reader.string(&words().key_of("law", of), value)?;
-    if LAWS.contains(&name.text) {
-        return Some(name.text);
+fn law_of(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<&'static str> {
+    let name = reader.text_of(table, "law")?;
+    let found = LAWS.into_iter().find(|law| *law == name.text);
+    if found.is_none() {
+        reader.report(
+            Diagnostic::new(words().no_law_of_motion(&table.of, &name.to_string()))
+                .at(name.span, words().unknown_law())
+                .maybe_help(did_you_mean(name.text, LAWS))
+                .help(words().known_laws(&format!("`{}`", LAWS.join("`, `")))),
+        );
     }
-    reader.report(
-        Diagnostic::new(words().no_law_of_motion(of, &name.to_string()))
-            .at(name.span.clone(), words().unknown_law())
-            .maybe_help(did_you_mean(name.text, LAWS))
-            .help(words().known_laws(&format!("`{}`", LAWS.join("`, `")))),
-    );
-    None
-}
-
-fn by_law(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<StepTable>,
-    table: &StepTable,
-    law: StepLaw,
-) -> Option<TimedStep> {
-    for (key, is_given) in [("to", table.to.is_some()), ("time", table.time.is_some())] {
-        lacks(reader, of, value, key, is_given, STEP);
-    }
-    let to = table.to.as_ref();
-    let to = to.and_then(|to| reader.number(&words().key_of("to", of), to));
-    let time = positive(reader, of, "time", table.time.as_ref()?)?;
-    Some(TimedStep::Law { law, to: to?, time })
+    found
 }
 
 const KNOTS: &str = r#"{ law = "table", knots = [[0, 0], [0.2, 40], [0.5, 120]] }"#;
 
 fn through_knots(
     reader: &mut Reader<'_>,
-    of: &str,
     from: Option<f64>,
-    value: &Lenient<StepTable>,
-    table: &StepTable,
+    table: &KeyTable<'_>,
 ) -> Option<TimedStep> {
-    lacks(reader, of, value, "knots", table.knots.is_some(), KNOTS);
-    let given = table.knots.as_ref()?;
-    let knots = profile::over_time(reader, &words().key_of("knots", of), KNOTS, given)?;
+    reader.require(table, "knots", &table.span, KNOTS);
+    let given = table.get("knots")?;
+    let what = table.what(reader, "knots");
+    let knots = profile::over_time(reader, &what, KNOTS, given)?;
     let begins = [0.0, from?];
     if knots.first() != Some(&begins) {
         let literal = format!("[0, {}]", begins[1]);
         reader.report(
-            Diagnostic::new(words().table_begins_elsewhere(of, &literal))
-                .at(given.span.clone(), words().the_first_knot_is(&literal))
+            Diagnostic::new(words().table_begins_elsewhere(&table.of, &literal))
+                .at(given.span(), words().the_first_knot_is(&literal))
                 .help(words().table_goes_on()),
         );
         return None;
@@ -214,81 +177,16 @@ fn through_knots(
     ClampedSpline::new(knots).map(TimedStep::Table)
 }
 
-/// Reports a missing key.
-fn lacks(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<StepTable>,
-    key: &str,
-    is_given: bool,
-    example: &str,
-) {
-    if !is_given && !value.meant(key) {
-        reader.report(
-            Diagnostic::new(words().of_has_no(of, key))
-                .at(value.span.clone(), words().is_missing(key))
-                .help(words().for_example(example)),
-        );
-    }
-}
-
 /// Reports keys that belong to another kind of step.
-fn foreign(reader: &mut Reader<'_>, of: &str, value: &Lenient<StepTable>, fitting: &[&str]) {
-    for key in &value.keys {
-        let text = key.get_ref().as_str();
-        if fitting.contains(&text) || !value.known.contains(&text) {
-            continue;
-        }
+fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: &str) {
+    for key in table.strays(kind) {
+        let fitting = keys::of(keys::STEP, kind).join("`, `");
         reader.report(
-            Diagnostic::new(words().step_has_no_key(of, text))
-                .at(key.span(), words().not_for_this_step())
-                .help(words().keys_of_step(&format!("`{}`", fitting.join("`, `")))),
+            Diagnostic::new(words().step_has_no_key(&table.of, key.text))
+                .at(key.span, words().not_for_this_step())
+                .help(words().keys_of_step(&format!("`{fitting}`"))),
         );
     }
-}
-
-fn positive(reader: &mut Reader<'_>, of: &str, key: &str, value: &Lenient<f64>) -> Option<f64> {
-    let what = words().key_of(key, of) + " (s)";
-    let number = reader.number(&what, value)?;
-    within(
-        reader,
-        &what,
-        (number, value),
-        number > 0.0,
-        words().positive(),
-    )
-}
-
-fn part(reader: &mut Reader<'_>, of: &str, value: &Lenient<f64>) -> Option<f64> {
-    let what = words().key_of("ramp", of);
-    let number = reader.number(&what, value)?;
-    let is_part = number > 0.0 && number <= 0.5;
-    within(
-        reader,
-        &what,
-        (number, value),
-        is_part,
-        words().at_most_a_half(),
-    )
-}
-
-/// Returns the number if it satisfies a rule, or else reports it.
-fn within(
-    reader: &mut Reader<'_>,
-    what: &str,
-    (number, value): (f64, &Lenient<f64>),
-    keeps: bool,
-    rule: &str,
-) -> Option<f64> {
-    if keeps {
-        return Some(number);
-    }
-    let literal = reader.literal(&value.span);
-    reader.report(
-        Diagnostic::new(words().must_be(what, rule, &literal))
-            .at(value.span.clone(), words().expected(rule)),
-    );
-    None
 }
 
 /// Reports a key that contradicts a motion, which already determines the speed.
