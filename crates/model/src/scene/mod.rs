@@ -49,12 +49,10 @@ mod draft;
 mod figures;
 mod frame;
 mod general_tolerance;
-mod guide;
 mod input;
 mod keys;
 mod limits;
 mod link;
-mod load_names;
 mod loads;
 mod measure;
 mod motor;
@@ -70,12 +68,10 @@ mod rate;
 mod reader;
 mod redundant;
 mod resolve;
-mod retell;
 mod rewrite;
 mod sighted;
 mod slide;
 mod spring;
-mod spring_ends;
 mod syntax;
 mod table;
 mod timed_inputs;
@@ -104,11 +100,9 @@ pub use numeral::{are_thousands, with_point};
 pub use parameters::Parameter;
 #[doc(hidden)]
 pub use rate::Degree;
-#[doc(hidden)]
-pub use retell::toml_string;
 pub use rewrite::Precision;
 #[doc(hidden)]
-pub use rewrite::{figure, key};
+pub use rewrite::{figure, key, toml_string};
 #[doc(hidden)]
 pub use syntax::mend;
 #[doc(hidden)]
