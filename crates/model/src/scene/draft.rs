@@ -1,23 +1,23 @@
 //! Reads the elements of a scene file one by one, before their names are resolved.
 
 use super::Unit;
-use super::deviations::{self, DraftTolerances};
-use super::figures::{self, DraftFigure};
-use super::frame;
-use super::input::{self, DraftDriver};
+use super::accuracy::deviations::{self, DraftTolerances};
+use super::acting::loads::{self, DraftLoad};
+use super::acting::spring::{self, DraftSpring};
+use super::elements::frame;
+use super::elements::limits::{self, DraftLimit};
+use super::elements::link::{self, DraftLink};
+use super::elements::points::{self, DraftVector, PlacedPoint, places};
+use super::elements::redundant::{self, Redundant};
+use super::elements::slide::{self, DraftSlide};
+use super::inputs::input::{self, DraftDriver};
+use super::inputs::motor::{self, Motor};
+use super::inputs::timed_inputs::{self, DraftTimed};
 use super::keys;
-use super::limits::{self, DraftLimit};
-use super::link::{self, DraftLink};
-use super::loads::{self, DraftLoad};
-use super::motor::{self, Motor};
-use super::parameters::{self, DraftParameter};
-use super::points::{self, DraftVector, PlacedPoint, places};
-use super::reader::{ByteSpan, Reader};
-use super::redundant::{self, Redundant};
-use super::slide::{self, DraftSlide};
-use super::spring::{self, DraftSpring};
+use super::numbers::figures::{self, DraftFigure};
+use super::numbers::parameters::{self, DraftParameter};
+use super::numbers::reader::{ByteSpan, Reader};
 use super::table::KeyTable;
-use super::timed_inputs::{self, DraftTimed};
 use crate::Vec2;
 use crate::document::{Diagnostic, Written};
 use crate::nearest::did_you_mean;
@@ -28,44 +28,44 @@ use toml::de::DeTable;
 /// The contents of a scene. Values that could not be read have a placeholder and a diagnostic, so
 /// that the remaining elements can still be checked.
 #[derive(Debug, Default)]
-pub(super) struct SceneDraft<'t> {
-    pub(super) name: Option<String>,
-    pub(super) source: Option<String>,
-    pub(super) note: Option<String>,
-    pub(super) unit: Unit,
-    pub(super) parameters: Vec<DraftParameter<'t>>,
+pub(crate) struct SceneDraft<'t> {
+    pub(crate) name: Option<String>,
+    pub(crate) source: Option<String>,
+    pub(crate) note: Option<String>,
+    pub(crate) unit: Unit,
+    pub(crate) parameters: Vec<DraftParameter<'t>>,
     /// The points of the ground, including the marks.
-    pub(super) ground: Vec<PlacedPoint<'t>>,
+    pub(crate) ground: Vec<PlacedPoint<'t>>,
     /// The names of the marks, which no element has to refer to.
-    pub(super) marks: HashSet<&'t str>,
-    pub(super) links: Vec<DraftLink<'t>>,
-    pub(super) links_key: Option<ByteSpan>,
-    pub(super) slides: Vec<DraftSlide<'t>>,
-    pub(super) driver: Option<DraftDriver<'t>>,
+    pub(crate) marks: HashSet<&'t str>,
+    pub(crate) links: Vec<DraftLink<'t>>,
+    pub(crate) links_key: Option<ByteSpan>,
+    pub(crate) slides: Vec<DraftSlide<'t>>,
+    pub(crate) driver: Option<DraftDriver<'t>>,
     /// The place of the key `driver`, even if its value could not be read.
-    pub(super) driver_key: Option<ByteSpan>,
+    pub(crate) driver_key: Option<ByteSpan>,
     /// The inputs that follow the driver.
-    pub(super) timed: Vec<DraftTimed<'t>>,
-    pub(super) start: Vec<PlacedPoint<'t>>,
-    pub(super) vectors: Vec<DraftVector<'t>>,
-    pub(super) limits: Vec<DraftLimit<'t>>,
-    pub(super) loads: Vec<DraftLoad<'t>>,
-    pub(super) springs: Vec<DraftSpring<'t>>,
-    pub(super) motor: Option<Motor>,
-    pub(super) gravity: Vec2,
-    pub(super) figures: Vec<DraftFigure<'t>>,
-    pub(super) redundant: Redundant,
-    pub(super) tolerances: DraftTolerances<'t>,
+    pub(crate) timed: Vec<DraftTimed<'t>>,
+    pub(crate) start: Vec<PlacedPoint<'t>>,
+    pub(crate) vectors: Vec<DraftVector<'t>>,
+    pub(crate) limits: Vec<DraftLimit<'t>>,
+    pub(crate) loads: Vec<DraftLoad<'t>>,
+    pub(crate) springs: Vec<DraftSpring<'t>>,
+    pub(crate) motor: Option<Motor>,
+    pub(crate) gravity: Vec2,
+    pub(crate) figures: Vec<DraftFigure<'t>>,
+    pub(crate) redundant: Redundant,
+    pub(crate) tolerances: DraftTolerances<'t>,
     /// Whether a section could not be read at all, so that all its names are missing.
-    pub(super) unreadable: bool,
+    pub(crate) unreadable: bool,
     /// Whether a link or a slide names an unreadable point.
-    pub(super) lost_points: bool,
+    pub(crate) lost_points: bool,
     /// Whether a vector, a load or a spring that may have named a point could not be read.
-    pub(super) lost_references: bool,
+    pub(crate) lost_references: bool,
 }
 
 /// Reads the whole document.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneDraft<'v> {
+pub(crate) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneDraft<'v> {
     let mut draft = SceneDraft::default();
     // A file with links is a scene, even if it has a `kind`.
     if let (Some((kind, _)), None) = (root.get_key_value("kind"), root.get("links")) {

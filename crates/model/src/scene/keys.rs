@@ -3,8 +3,8 @@
 //! The table yields the diagnostics of unknown keys, the numbers that the workbench lists and
 //! edits, the rules and units of numbers as they are read, and the reference in the manual.
 
-use super::measure::Measure;
-use super::rate::Degree;
+use super::numbers::measure::Measure;
+use super::numbers::rate::Degree;
 use super::table::NumberRule;
 use crate::wording::{Wording, Words, words};
 
@@ -12,7 +12,7 @@ use crate::wording::{Wording, Words, words};
 pub struct SceneKey {
     /// The name in the file.
     pub name: &'static str,
-    pub(super) kind: KeyKind,
+    pub(crate) kind: KeyKind,
     /// The kinds of elements that have the key, each identified by its characteristic key. Empty if
     /// all kinds have it.
     of: &'static [&'static str],
@@ -106,7 +106,7 @@ pub enum NumberMeasure {
 impl NumberMeasure {
     /// Resolves the measure. `turns` is `true` if the input whose coordinate is meant drives a
     /// link, and `false` if it drives a slide; torsion springs have torques instead of forces.
-    pub(super) fn measure(self, turns: bool, is_torsion: bool) -> Measure {
+    pub(crate) fn measure(self, turns: bool, is_torsion: bool) -> Measure {
         let measure = match (self, turns) {
             (NumberMeasure::Of(measure) | NumberMeasure::In(measure), _) => measure,
             (NumberMeasure::Driver | NumberMeasure::DriverItself, true) => Measure::Angle,
@@ -122,7 +122,7 @@ impl NumberMeasure {
 }
 
 /// The kind of a torsion spring.
-pub(super) const TORSION: &str = "torsion";
+pub(crate) const TORSION: &str = "torsion";
 
 /// Converts a literal to typed text, and an identifier to the sentence of that name.
 macro_rules! key_text {
@@ -137,7 +137,7 @@ macro_rules! key_text {
 /// Builds tables from rows of `name: kind, of, words, default`.
 macro_rules! keys {
     ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:tt, $default:tt;)*)*) => {
-        $(pub(super) const $table: &[SceneKey] = &[$(SceneKey {
+        $(pub(crate) const $table: &[SceneKey] = &[$(SceneKey {
             name: $name,
             kind: $kind,
             of: &$of,
@@ -272,12 +272,12 @@ REDUNDANT =
 }
 
 /// Returns the row of a key.
-pub(super) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
+pub(crate) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
     keys.iter().find(|key| key.name == name)
 }
 
 /// Returns the names of the keys that an element of this kind has; all keys if the kind is empty.
-pub(super) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
+pub(crate) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
     let fits = |key: &&SceneKey| kind.is_empty() || key.of.is_empty() || key.of.contains(&kind);
     keys.iter().filter(fits).map(|key| key.name).collect()
 }

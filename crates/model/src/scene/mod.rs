@@ -43,63 +43,44 @@
 //! cause and fix. Faults of the mechanism as a whole are found by the solver, and
 //! [`Scene::explain`] reports them in the same form.
 
+mod accuracy;
+mod acting;
 mod defect;
-mod deviations;
 mod draft;
-mod figures;
-mod frame;
-mod general_tolerance;
-mod input;
+mod elements;
+mod inputs;
 mod keys;
-mod limits;
-mod link;
-mod loads;
-mod measure;
-mod motor;
 mod names;
-mod numeral;
-mod parameters;
-mod points;
+mod numbers;
 #[cfg(test)]
 #[path = "../../../../src/scene/presets.rs"]
 pub mod presets;
-mod profile;
-mod rate;
-mod reader;
-mod redundant;
 mod resolve;
 mod rewrite;
-mod sighted;
-mod slide;
-mod spring;
 mod syntax;
 mod table;
-mod timed_inputs;
-mod timed_motion;
-mod typed;
-mod typed_tolerance;
-mod unit;
 mod values;
-mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
 #[doc(hidden)]
 pub use draft::{line, unit};
-pub use figures::NamedFormula;
 #[doc(hidden)]
-pub use input::coordinate_key;
+pub use inputs::input::coordinate_key;
+pub use inputs::motor::Motor;
 pub use keys::reference;
 #[doc(hidden)]
 pub use keys::{KeyKind, NumberMeasure, SceneKey};
-pub use measure::Measure;
-pub use motor::Motor;
 #[doc(hidden)]
 pub use names::{is_figure_name, reserved_for_figures};
+pub use numbers::figures::NamedFormula;
+pub use numbers::measure::Measure;
 #[doc(hidden)]
-pub use numeral::{are_thousands, with_point};
-pub use parameters::Parameter;
+pub use numbers::numeral::{are_thousands, with_point};
+pub use numbers::parameters::Parameter;
 #[doc(hidden)]
-pub use rate::Degree;
+pub use numbers::rate::Degree;
+pub use numbers::typed::ValueError;
+pub use numbers::unit::Unit;
 pub use rewrite::Precision;
 #[doc(hidden)]
 pub use rewrite::{figure, key, toml_string};
@@ -107,11 +88,9 @@ pub use rewrite::{figure, key, toml_string};
 pub use syntax::mend;
 #[doc(hidden)]
 pub use table::{KeyTable, NumberRule};
-pub use typed::ValueError;
-pub use unit::Unit;
 pub use values::{Value, ValueOwner};
 
-use crate::document::{self, NamedNumbers};
+use crate::document::{self, NamedNumbers, Reader};
 use crate::wording::words;
 use crate::{
     Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
@@ -157,7 +136,7 @@ pub struct Scene {
     #[doc(hidden)]
     pub slide_names: Vec<String>,
     /// The names of the limits, with the places of their ends in the text.
-    limits: limits::LimitPlaces,
+    limits: elements::limits::LimitPlaces,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -217,7 +196,7 @@ impl Scene {
             return Err(too_large(origin));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = reader::Reader::new(text);
+        let mut reader = Reader::new(text);
         let root = document::parse(&mut reader, syntax::mend);
         let scene = root.as_ref().and_then(|root| {
             let draft = draft::read(&mut reader, root);
@@ -233,7 +212,7 @@ impl Scene {
                 figures: figures.filter_map(|figure| figure.formula).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
-                parameters: parameters::told(&reader.named, draft.parameters),
+                parameters: numbers::parameters::told(&reader.named, draft.parameters),
                 named: Arc::new(std::mem::take(&mut reader.named)),
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,
@@ -250,7 +229,7 @@ impl Scene {
             scene.tolerances = scene.in_order_of_names(tolerances);
             scene
         });
-        let scene = scene.filter(|scene| worked::measures_fit(&mut reader, scene));
+        let scene = scene.filter(|scene| numbers::worked::measures_fit(&mut reader, scene));
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }
 

@@ -131,12 +131,12 @@ fn line_end(text: &str, from: usize) -> usize {
 
 /// Replacements in a text by place, applied all at once.
 #[derive(Default)]
-pub(super) struct Edits {
+pub(crate) struct Edits {
     list: Vec<(Range<usize>, String)>,
 }
 
 impl Edits {
-    pub(super) fn replace(&mut self, place: Range<usize>, by: String) {
+    pub(crate) fn replace(&mut self, place: Range<usize>, by: String) {
         self.list.push((place, by));
     }
 
@@ -144,7 +144,7 @@ impl Edits {
         self.list.push((at..at, new));
     }
 
-    pub(super) fn made_in(mut self, text: &str) -> String {
+    pub(crate) fn made_in(mut self, text: &str) -> String {
         self.list.sort_by_key(|(place, _)| (place.start, place.end));
         let mut made = String::with_capacity(text.len() + 64 * self.list.len());
         let mut from = 0;

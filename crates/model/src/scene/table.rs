@@ -3,8 +3,8 @@
 
 use super::Unit;
 use super::keys::{self, KeyKind, NumberMeasure, SceneKey};
-use super::measure::{Measure, MeasureUnits};
-use super::reader::{ByteSpan, MIN_LENGTH, Name, Reader};
+use super::numbers::measure::{Measure, MeasureUnits};
+use super::numbers::reader::{ByteSpan, MIN_LENGTH, Name, Reader};
 use crate::Vec2;
 use crate::document::{Diagnostic, Written, entries, meant};
 use crate::wording::words;
@@ -15,9 +15,9 @@ pub struct KeyTable<'v> {
     /// The name of the element in messages.
     pub of: String,
     /// The place of the whole table.
-    pub(super) span: ByteSpan,
+    pub(crate) span: ByteSpan,
     /// The kind of element, by its characteristic key; empty until it is known.
-    pub(super) kind: &'static str,
+    pub(crate) kind: &'static str,
     /// Whether its input drives a link rather than a slide.
     pub turns: bool,
     /// Whether messages name its keys without an owner, as those of the scene itself.
@@ -27,7 +27,7 @@ pub struct KeyTable<'v> {
 }
 
 impl<'v> KeyTable<'v> {
-    pub(super) fn new(
+    pub(crate) fn new(
         of: &str,
         keys: &'static [SceneKey],
         entries: &'v DeTable<'v>,
@@ -67,7 +67,7 @@ impl<'v> KeyTable<'v> {
     }
 
     /// Returns a key with its place, if the table has it.
-    pub(super) fn key(&self, key: &str) -> Option<Name<'v>> {
+    pub(crate) fn key(&self, key: &str) -> Option<Name<'v>> {
         let (key, _) = self.entries.get_key_value(key)?;
         Some(Name {
             text: key.get_ref(),
@@ -76,7 +76,7 @@ impl<'v> KeyTable<'v> {
     }
 
     /// Returns the keys as written, known or not, in the order of the file.
-    pub(super) fn names(&self) -> impl Iterator<Item = Name<'v>> + use<'v> {
+    pub(crate) fn names(&self) -> impl Iterator<Item = Name<'v>> + use<'v> {
         entries(self.entries).map(|(name, _)| name)
     }
 
@@ -86,7 +86,7 @@ impl<'v> KeyTable<'v> {
     }
 
     /// Returns `true` if an unknown key is probably a misspelling of this one.
-    pub(super) fn meant(&self, key: &str) -> bool {
+    pub(crate) fn meant(&self, key: &str) -> bool {
         meant(self.names().map(|name| name.text), &self.known(), key)
     }
 
@@ -164,7 +164,7 @@ impl Reader<'_> {
     }
 
     /// Reports a missing key, unless a misspelt key, already reported, explains it.
-    pub(super) fn require(
+    pub(crate) fn require(
         &mut self,
         table: &KeyTable<'_>,
         key: &str,
@@ -201,13 +201,13 @@ impl Reader<'_> {
     }
 
     /// Reads an optional pair of coordinates.
-    pub(super) fn pair_of(&mut self, table: &KeyTable<'_>, key: &str) -> Option<Vec2> {
+    pub(crate) fn pair_of(&mut self, table: &KeyTable<'_>, key: &str) -> Option<Vec2> {
         let value = table.get(key)?;
         self.pair(&table.what(self, key), value)
     }
 
     /// Reads a number that follows a rule; reports one that does not.
-    pub(super) fn measured(
+    pub(crate) fn measured(
         &mut self,
         what: &str,
         key: &str,

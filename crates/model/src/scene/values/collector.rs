@@ -4,15 +4,15 @@ use super::{Value, ValueOwner};
 use crate::Input;
 use crate::document::{NamedNumbers, Written, entries, items, number_of};
 use crate::scene::keys::{self, KeyKind, NumberMeasure, SceneKey};
-use crate::scene::measure::{Measure, MeasureUnits};
-use crate::scene::rate::{self, Degree, WrittenRate};
+use crate::scene::numbers::measure::{Measure, MeasureUnits};
+use crate::scene::numbers::rate::{self, Degree, WrittenRate};
 use crate::scene::{Scene, Unit};
 use std::collections::HashMap;
 use std::sync::Arc;
 use toml::de::DeTable;
 
 /// Returns all values of a scene, in the order of the file.
-pub(super) fn values(scene: &Scene) -> Vec<Value> {
+pub(crate) fn values(scene: &Scene) -> Vec<Value> {
     let Ok(root) = DeTable::parse(scene.text()) else {
         // Parsing succeeded before, when the scene was read.
         return Vec::new();

@@ -1,43 +1,43 @@
 //! Reads slides and resolves the names in them.
 
-use super::deviations::{self, DraftTolerance};
-use super::keys;
-use super::names::Sort;
-use super::reader::{Name, Reader};
-use super::resolve::Resolver;
-use super::table::KeyTable;
 use crate::document::{Diagnostic, Written};
+use crate::scene::accuracy::deviations::{self, DraftTolerance};
+use crate::scene::keys;
+use crate::scene::names::Sort;
+use crate::scene::numbers::reader::{Name, Reader};
+use crate::scene::resolve::Resolver;
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Body, LinkId, PointId, Vec2};
 
 const SLIDE: &str = r#"r4 = { point = "C", on = "ground", through = "A", angle = 0 }"#;
 
 #[derive(Debug)]
-pub(super) struct DraftSlide<'t> {
-    pub(super) name: Name<'t>,
+pub(crate) struct DraftSlide<'t> {
+    pub(crate) name: Name<'t>,
     /// `None` here and in the following fields means that a fault was reported.
-    pub(super) slider: Option<DraftSlider<'t>>,
-    pub(super) on: Option<Name<'t>>,
-    pub(super) through: Option<Through<'t>>,
-    pub(super) angle: f64,
+    pub(crate) slider: Option<DraftSlider<'t>>,
+    pub(crate) on: Option<Name<'t>>,
+    pub(crate) through: Option<Through<'t>>,
+    pub(crate) angle: f64,
     /// The tolerance of the coordinates of `through`.
-    pub(super) tolerance: Option<DraftTolerance>,
+    pub(crate) tolerance: Option<DraftTolerance>,
 }
 
 #[derive(Debug)]
-pub(super) enum DraftSlider<'t> {
+pub(crate) enum DraftSlider<'t> {
     Pin(Name<'t>),
     Link { link: Name<'t>, turn: f64 },
 }
 
 #[derive(Debug)]
-pub(super) enum Through<'t> {
+pub(crate) enum Through<'t> {
     Point(Name<'t>),
     At(Vec2),
 }
 
 /// Reads the section.
-pub(super) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSlide<'v>> {
+pub(crate) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSlide<'v>> {
     let slides = reader.entries("[slides]", SLIDE, value);
     slides
         .map(|(name, value)| slide(reader, name, value))
@@ -149,7 +149,7 @@ enum SlidingId {
 
 impl<'r, 't> Resolver<'r, '_, 't> {
     /// Adds all slides to the builder, except those that name an unknown element.
-    pub(super) fn slides(&mut self) {
+    pub(crate) fn slides(&mut self) {
         let draft = self.draft;
         for slide in &draft.slides {
             let on = slide.on.as_ref().and_then(|on| self.carrier(slide, on));

@@ -6,16 +6,16 @@
 //! elbow = { link = "r4", from = "r3", angle = [20, 160] }
 //! ```
 
-use super::draft::SceneDraft;
-use super::keys;
-use super::names::Sort;
-use super::reader::{ByteSpan, Name, Reader};
-use super::resolve::Resolver;
-use super::table::KeyTable;
 use crate::angle::TURN;
 use crate::document::{Diagnostic, Written, items};
 use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
+use crate::scene::draft::SceneDraft;
+use crate::scene::keys;
+use crate::scene::names::Sort;
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
+use crate::scene::resolve::Resolver;
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Body, Limit, LimitOf, LinkId};
 
@@ -24,23 +24,23 @@ const PAIR: (&str, &str) = ("[low, high]", "[120, 200]");
 
 /// The two ends of a range in ascending order, with their place in the file.
 #[derive(Debug)]
-pub(super) struct DraftEnds {
-    pub(super) low: f64,
-    pub(super) high: f64,
-    pub(super) place: ByteSpan,
+pub(crate) struct DraftEnds {
+    pub(crate) low: f64,
+    pub(crate) high: f64,
+    pub(crate) place: ByteSpan,
 }
 
 #[derive(Debug)]
-pub(super) struct DraftLimit<'t> {
-    pub(super) name: Name<'t>,
+pub(crate) struct DraftLimit<'t> {
+    pub(crate) name: Name<'t>,
     /// The link and its reference body; `None` if the limit has the name of the element that it
     /// limits.
-    pub(super) angle: Option<(Name<'t>, Option<Name<'t>>)>,
+    pub(crate) angle: Option<(Name<'t>, Option<Name<'t>>)>,
     ends: DraftEnds,
 }
 
 /// Reads the section. Reports and omits limits that could not be read.
-pub(super) fn limits<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLimit<'v>> {
+pub(crate) fn limits<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLimit<'v>> {
     let entries = reader.entries("[limits]", "{ r4 = [30, 150] }", value);
     entries
         .filter_map(|(name, value)| limit(reader, name, value))
@@ -92,7 +92,7 @@ fn no_range(reader: &Reader<'_>, what: &str, value: &Written<'_>) -> Diagnostic 
 }
 
 /// Reads the two ends of a range.
-pub(super) fn range(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftEnds> {
+pub(crate) fn range(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftEnds> {
     let [low, high] = reader.two(what, PAIR.0, PAIR.1, value)?;
     let low = reader.number(&words().low_end_of(what), low);
     let high = reader.number(&words().high_end_of(what), high);
@@ -115,7 +115,7 @@ pub(super) fn range(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) ->
 }
 
 /// Reports a driver's range with more turns than can be listed.
-pub(super) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds) {
+pub(crate) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds) {
     let most = MAX_TURNS * TURN;
     // Negated, so that an overflow is rejected too.
     if !(ends.high - ends.low < most) {
@@ -128,11 +128,11 @@ pub(super) fn check_turns(reader: &mut Reader<'_>, what: &str, ends: &DraftEnds)
 }
 
 /// The names and places of the limits, in the order of the mechanism's ids.
-pub(super) type LimitPlaces = Vec<(String, ByteSpan)>;
+pub(crate) type LimitPlaces = Vec<(String, ByteSpan)>;
 
 impl<'t> Resolver<'_, '_, 't> {
     /// Adds the driver's range and the limits of `[limits]` to the builder.
-    pub(super) fn limits(&mut self) {
+    pub(crate) fn limits(&mut self) {
         let draft: &SceneDraft<'t> = self.draft;
         if let Some(ends) = draft.driver.as_ref().and_then(|d| d.range.as_ref()) {
             self.push_limit("driver".to_owned(), LimitOf::Driver, ends);

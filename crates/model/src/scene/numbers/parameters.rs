@@ -1,9 +1,9 @@
 //! Reads `[parameters]`: named numbers in any order, which may be formulas of each other.
 
-use super::figures::FormulaPlace;
-use super::reader::{Name, Reader};
 use crate::document::{Diagnostic, NamedNumbers, Written};
 use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
+use crate::scene::numbers::figures::FormulaPlace;
+use crate::scene::numbers::reader::{Name, Reader};
 use crate::wording::words;
 use std::collections::HashMap;
 
@@ -22,8 +22,8 @@ pub struct Parameter {
 
 /// A name with its formula.
 #[derive(Debug)]
-pub(super) struct DraftParameter<'t> {
-    pub(super) name: Name<'t>,
+pub(crate) struct DraftParameter<'t> {
+    pub(crate) name: Name<'t>,
     formula: Option<&'t str>,
 }
 
@@ -40,7 +40,7 @@ struct WaitingParameter<'v> {
 }
 
 /// Reads the section and makes its names known to all formulas.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftParameter<'v>> {
+pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftParameter<'v>> {
     let mut draft = Vec::new();
     let mut waiting = Vec::new();
     for (name, value) in reader.entries("[parameters]", EXAMPLE, value) {
@@ -61,7 +61,7 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<D
 }
 
 /// Returns the parameters with their values.
-pub(super) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
+pub(crate) fn told(named: &NamedNumbers, draft: Vec<DraftParameter<'_>>) -> Vec<Parameter> {
     let told = draft.into_iter().filter_map(|parameter| {
         let worth = named.worth.get(parameter.name.text)?.as_ref()?;
         Some(Parameter {

@@ -1,33 +1,34 @@
 //! Reads springs: between points, gas springs by their force over the length, and torsion springs
 //! between links.
 
-use super::link::DraftLink;
-use super::loads::{ListExample, list, said};
-use super::names::Sort;
-use super::reader::{Name, Reader};
-use super::resolve::Resolver;
-use super::table::KeyTable;
-use super::{keys, profile};
 use crate::document::{Diagnostic, Written};
+use crate::scene::acting::loads::{ListExample, list, said};
+use crate::scene::acting::profile;
+use crate::scene::elements::link::DraftLink;
+use crate::scene::keys;
+use crate::scene::names::Sort;
+use crate::scene::numbers::reader::{Name, Reader};
+use crate::scene::resolve::Resolver;
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, Profile};
 
 const SPRING: ListExample = ["[[springs]]", r#"from = "A", to = "E""#, "stiffness = 1200"];
 
 #[derive(Debug)]
-pub(super) struct DraftSpring<'t> {
+pub(crate) struct DraftSpring<'t> {
     /// The point where it begins, or the link on which a torsion spring acts.
-    pub(super) from: Name<'t>,
+    pub(crate) from: Name<'t>,
     /// The other end. For a torsion spring it is the link to which it is fixed, or `None` for the
     /// ground.
-    pub(super) to: Option<Name<'t>>,
-    pub(super) law: DraftLaw,
-    pub(super) damping: f64,
+    pub(crate) to: Option<Name<'t>>,
+    pub(crate) law: DraftLaw,
+    pub(crate) damping: f64,
 }
 
 /// The force or torque law of a spring.
 #[derive(Debug)]
-pub(super) enum DraftLaw {
+pub(crate) enum DraftLaw {
     Line {
         stiffness: f64,
         length: f64,
@@ -88,7 +89,7 @@ impl SpringKind {
 }
 
 /// Reads the springs. Reports and omits those that could not be read.
-pub(super) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSpring<'v>> {
+pub(crate) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSpring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
 }
@@ -184,7 +185,7 @@ fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: SpringKind) {
 
 impl<'t> Resolver<'_, '_, 't> {
     /// Adds all springs to the builder.
-    pub(super) fn springs(&mut self) {
+    pub(crate) fn springs(&mut self) {
         let draft = self.draft;
         for spring in &draft.springs {
             let load = match &spring.to {

@@ -1,14 +1,14 @@
 //! Reads tolerances and clearances, and decides which of them applies to which length.
 
-use super::Unit;
-use super::draft::SceneDraft;
-use super::general_tolerance::{GeneralSizes, GeneralTolerance};
-use super::names::{Names, Sort};
-use super::reader::{ByteSpan, Name, Reader, quoted};
-use super::slide::DraftSlide;
-use super::table::{KeyTable, NumberRule};
 use crate::document::{Diagnostic, Written};
 use crate::nearest::did_you_mean;
+use crate::scene::Unit;
+use crate::scene::accuracy::general_tolerance::{GeneralSizes, GeneralTolerance};
+use crate::scene::draft::SceneDraft;
+use crate::scene::elements::slide::DraftSlide;
+use crate::scene::names::{Names, Sort};
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
+use crate::scene::table::{KeyTable, NumberRule};
 use crate::wording::words;
 use crate::{Length, LinkId, Mechanism, PointId, Slider, Tolerances};
 use std::cmp::Reverse;
@@ -16,21 +16,21 @@ use std::collections::HashMap;
 
 /// A tolerance of a length, with its place in the file.
 #[derive(Clone, Debug)]
-pub(super) struct DraftTolerance {
+pub(crate) struct DraftTolerance {
     size: AllowedDeviation,
     place: ByteSpan,
 }
 
 /// The clearance of a pin, with its place in the file.
 #[derive(Clone, Debug)]
-pub(super) struct DraftClearance {
+pub(crate) struct DraftClearance {
     size: f64,
     place: ByteSpan,
 }
 
 /// A tolerance as given in the file.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum AllowedDeviation {
+pub(crate) enum AllowedDeviation {
     /// A deviation in the scene's unit.
     Size(f64),
     Class(GeneralTolerance),
@@ -42,7 +42,7 @@ impl AllowedDeviation {
     ///
     /// # Errors
     /// Returns the class if it has no deviation for this size.
-    pub(super) fn of(self, nominal: f64, mm: f64) -> Result<f64, GeneralTolerance> {
+    pub(crate) fn of(self, nominal: f64, mm: f64) -> Result<f64, GeneralTolerance> {
         match self {
             AllowedDeviation::Size(size) => Ok(size),
             AllowedDeviation::Class(_) if nominal == 0.0 => Ok(0.0),
@@ -55,13 +55,13 @@ impl AllowedDeviation {
 }
 
 /// Returns `true` if a deviation of `by` could make a length zero; never for a coordinate.
-pub(super) fn is_beyond(length: Length, nominal: f64, by: f64) -> bool {
+pub(crate) fn is_beyond(length: Length, nominal: f64, by: f64) -> bool {
     matches!(length, Length::Link(_) | Length::Arm(..)) && by >= nominal
 }
 
 /// Parses the designation of a class. Returns `None` if the text does not look like one, and a
 /// message that lists the known classes if the class is unknown.
-pub(super) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>> {
+pub(crate) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>> {
     names_class(text).then(|| {
         GeneralTolerance::designated(text.trim()).ok_or_else(|| {
             let all = GeneralTolerance::designations();
@@ -71,7 +71,7 @@ pub(super) fn designated(text: &str) -> Option<Result<GeneralTolerance, String>>
 }
 
 /// Returns the message that a class has no deviation for a size in mm.
-pub(super) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String {
+pub(crate) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String {
     let GeneralSizes {
         least,
         is_above,
@@ -86,17 +86,17 @@ pub(super) fn unsized_by(class: GeneralTolerance, what: &str, mm: f64) -> String
 
 /// All tolerances and clearances except those given in links and slides.
 #[derive(Debug, Default)]
-pub(super) struct DraftTolerances<'t> {
-    pub(super) general: Option<DraftTolerance>,
-    pub(super) points: Vec<(Name<'t>, DraftTolerance)>,
-    pub(super) clearance: Option<DraftClearance>,
-    pub(super) pins: Vec<(Name<'t>, DraftClearance)>,
+pub(crate) struct DraftTolerances<'t> {
+    pub(crate) general: Option<DraftTolerance>,
+    pub(crate) points: Vec<(Name<'t>, DraftTolerance)>,
+    pub(crate) clearance: Option<DraftClearance>,
+    pub(crate) pins: Vec<(Name<'t>, DraftClearance)>,
     /// The names and tolerances of the links that are the frame.
-    pub(super) of_frame: Vec<(String, DraftTolerance)>,
+    pub(crate) of_frame: Vec<(String, DraftTolerance)>,
 }
 
 /// Reads the tolerance of the element that a table describes.
-pub(super) fn tolerance_of(
+pub(crate) fn tolerance_of(
     reader: &mut Reader<'_>,
     table: &KeyTable<'_>,
 ) -> Option<DraftTolerance> {
@@ -146,7 +146,7 @@ fn class(
 }
 
 /// Reads `[tolerances]`.
-pub(super) fn points<'v>(
+pub(crate) fn points<'v>(
     reader: &mut Reader<'_>,
     value: &'v Written<'v>,
 ) -> Vec<(Name<'v>, DraftTolerance)> {
@@ -160,7 +160,7 @@ pub(super) fn points<'v>(
 }
 
 /// Reads `[clearances]`.
-pub(super) fn pins<'v>(
+pub(crate) fn pins<'v>(
     reader: &mut Reader<'_>,
     value: &'v Written<'v>,
 ) -> Vec<(Name<'v>, DraftClearance)> {
@@ -173,7 +173,7 @@ pub(super) fn pins<'v>(
 }
 
 /// Reads the clearance of one pin, or of all.
-pub(super) fn clearance(
+pub(crate) fn clearance(
     reader: &mut Reader<'_>,
     what: &str,
     value: &Written<'_>,
@@ -185,19 +185,19 @@ pub(super) fn clearance(
 }
 
 /// The inputs needed to resolve the tolerances of a scene.
-pub(super) struct Settling<'r, 's, 't> {
-    pub(super) reader: &'r mut Reader<'s>,
-    pub(super) draft: &'r SceneDraft<'t>,
-    pub(super) names: &'r Names<'t>,
-    pub(super) points: &'r HashMap<&'t str, PointId>,
-    pub(super) point_names: &'r [Option<String>],
-    pub(super) slides: &'r [&'r DraftSlide<'t>],
-    pub(super) mechanism: &'r Mechanism,
+pub(crate) struct Settling<'r, 's, 't> {
+    pub(crate) reader: &'r mut Reader<'s>,
+    pub(crate) draft: &'r SceneDraft<'t>,
+    pub(crate) names: &'r Names<'t>,
+    pub(crate) points: &'r HashMap<&'t str, PointId>,
+    pub(crate) point_names: &'r [Option<String>],
+    pub(crate) slides: &'r [&'r DraftSlide<'t>],
+    pub(crate) mechanism: &'r Mechanism,
 }
 
 impl<'r> Settling<'r, '_, '_> {
     /// Returns the tolerance of every length and the clearance of every pin.
-    pub(super) fn settle(mut self) -> Tolerances {
+    pub(crate) fn settle(mut self) -> Tolerances {
         for (name, tolerance) in &self.draft.tolerances.of_frame {
             self.reader.report(
                 Diagnostic::new(words().frame_has_no_tolerance(name))

@@ -1,27 +1,28 @@
 //! Reads the loads on the mechanism and resolves the names in them.
 
-use super::names::Sort;
-use super::reader::{Name, Reader};
-use super::resolve::Resolver;
-use super::slide::DraftSlide;
-use super::table::KeyTable;
-use super::{keys, profile};
 use crate::document::{Diagnostic, Written, items};
 use crate::nearest::did_you_mean;
+use crate::scene::acting::profile;
+use crate::scene::elements::slide::DraftSlide;
+use crate::scene::keys;
+use crate::scene::names::Sort;
+use crate::scene::numbers::reader::{Name, Reader};
+use crate::scene::resolve::Resolver;
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Body, LinkId, Load, Profile, SlideId, StrokeEnd, Vec2, angle};
 
 const LOAD: ListExample = ["[[loads]]", r#"point = "C""#, "force = [0, -500]"];
 
 /// The heading of a list, and two keys of a table in it.
-pub(super) type ListExample = [&'static str; 3];
+pub(crate) type ListExample = [&'static str; 3];
 
-pub(super) fn said([list, one, other]: ListExample) -> String {
+pub(crate) fn said([list, one, other]: ListExample) -> String {
     words().example_of_list(list, one, other)
 }
 
 #[derive(Debug)]
-pub(super) enum DraftLoad<'t> {
+pub(crate) enum DraftLoad<'t> {
     Force {
         point: Name<'t>,
         force: Vec2,
@@ -81,14 +82,14 @@ impl LoadKind {
 }
 
 /// Reads the loads. Reports and omits those that could not be read.
-pub(super) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLoad<'v>> {
+pub(crate) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLoad<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
 
 /// Returns the items of a list of tables. Reports a value that is not a list, and returns an empty
 /// slice for it.
-pub(super) fn list<'v>(
+pub(crate) fn list<'v>(
     reader: &mut Reader<'_>,
     key: &str,
     example: ListExample,
@@ -236,7 +237,7 @@ fn stroke_end(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<StrokeEnd
 
 impl<'t> Resolver<'_, '_, 't> {
     /// Adds all loads, gravity and the unit in metres, which only forces need, to the builder.
-    pub(super) fn loads(&mut self) {
+    pub(crate) fn loads(&mut self) {
         let draft = self.draft;
         for load in &draft.loads {
             if let Some(load) = self.load(load) {

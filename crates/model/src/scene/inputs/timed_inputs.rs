@@ -1,13 +1,13 @@
 //! Reads the inputs that follow the driver.
 
-use super::input::{DraftInput, seat};
-use super::keys;
-use super::profile;
-use super::rate::RateKind;
-use super::reader::{ByteSpan, Name, Reader};
-use super::resolve::Resolver;
-use super::table::KeyTable;
 use crate::document::{Diagnostic, Written};
+use crate::scene::acting::profile;
+use crate::scene::inputs::input::{DraftInput, seat};
+use crate::scene::keys;
+use crate::scene::numbers::rate::RateKind;
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
+use crate::scene::resolve::Resolver;
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Input, InputLaw, InputTable, TimedInput};
 
@@ -15,9 +15,9 @@ const INPUT: &str = "r7 = { ratio = 1, phase = 30 }";
 const TABLE: &str = "rod = { over = [[1.0, 0.2], [1.3, 0.35]] }";
 
 #[derive(Debug)]
-pub(super) struct DraftTimed<'t> {
+pub(crate) struct DraftTimed<'t> {
     /// The driven link or slide.
-    pub(super) name: Name<'t>,
+    pub(crate) name: Name<'t>,
     law: DraftInputLaw,
     /// The link that carries its motor, as written; `None` for the ground.
     from: Option<&'t Written<'t>>,
@@ -36,7 +36,7 @@ enum DraftInputLaw {
 }
 
 /// Reads the section.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftTimed<'v>> {
+pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftTimed<'v>> {
     let entries = reader.entries("[inputs]", INPUT, value);
     entries
         .filter_map(|(name, value)| input(reader, name, value))
@@ -86,7 +86,7 @@ fn by_table(
 }
 
 impl<'t> Resolver<'_, '_, 't> {
-    pub(super) fn timed_inputs(&mut self) {
+    pub(crate) fn timed_inputs(&mut self) {
         for timed in &self.draft.timed {
             let of = words().input_called(&timed.name.to_string());
             if self.is_the_driver(&timed.name) {

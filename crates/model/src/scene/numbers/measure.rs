@@ -1,8 +1,8 @@
 //! The quantities that numbers of a scene measure, and the units in which they may be typed.
 
-use super::Unit;
-use super::rate::{Degree, RateKind};
 use crate::expression::Dimension;
+use crate::scene::Unit;
+use crate::scene::numbers::rate::{Degree, RateKind};
 
 /// The quantity that a value measures, with its permitted range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,7 +54,7 @@ pub enum Measure {
 
 /// The units of a measure.
 #[derive(Clone, Copy)]
-pub(super) enum MeasureUnits {
+pub(crate) enum MeasureUnits {
     /// Every unit of length; the file uses the scene's.
     Length,
     /// Degrees, which the file uses, and radians.
@@ -66,12 +66,12 @@ pub(super) enum MeasureUnits {
 }
 
 /// The symbol of a unit, and its size in the file's unit as numerator and denominator.
-pub(super) type UnitScale = (&'static str, u32, u32);
+pub(crate) type UnitScale = (&'static str, u32, u32);
 
 impl Measure {
     /// Returns the measure of the corresponding number of a torsion spring, with torques and
     /// angles.
-    pub(super) fn of_torsion(self) -> Measure {
+    pub(crate) fn of_torsion(self) -> Measure {
         match self {
             Measure::Stiffness => Measure::TurnStiffness,
             Measure::Damping => Measure::TurnDamping,
@@ -82,7 +82,7 @@ impl Measure {
 
     /// Returns the measure of a rate of the driver; `turns` is `true` for a link, `false` for a
     /// slide.
-    pub(super) fn of_rate(degree: Degree, turns: bool) -> Measure {
+    pub(crate) fn of_rate(degree: Degree, turns: bool) -> Measure {
         match (degree, turns) {
             (Degree::Speed, true) => Measure::TurnSpeed,
             (Degree::Speed, false) => Measure::PushSpeed,
@@ -103,7 +103,7 @@ impl Measure {
     }
 
     /// Returns the permitted units in a scene with this unit of length.
-    pub(super) fn units(self, scene: Unit) -> MeasureUnits {
+    pub(crate) fn units(self, scene: Unit) -> MeasureUnits {
         let push = RateKind::Push(scene);
         let scales: &'static [UnitScale] = match self {
             Measure::Length | Measure::Coordinate | Measure::Start | Measure::Deviation => {
@@ -143,7 +143,7 @@ impl Measure {
 
     /// Returns the dimension required of a formula with units; `None` for rates and parameters,
     /// which may have any.
-    pub(super) fn dimension(self) -> Option<Dimension> {
+    pub(crate) fn dimension(self) -> Option<Dimension> {
         Some(match self {
             Measure::Length | Measure::Coordinate | Measure::Start | Measure::Deviation => {
                 Dimension::LENGTH
@@ -169,7 +169,7 @@ impl Measure {
     }
 
     /// Returns the unit used in the file; empty for a rate, which has its own.
-    pub(super) fn unit(self, scene: Unit) -> &'static str {
+    pub(crate) fn unit(self, scene: Unit) -> &'static str {
         match self.units(scene) {
             MeasureUnits::Length => scene.symbol(),
             MeasureUnits::Angle => "deg",

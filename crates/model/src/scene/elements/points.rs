@@ -1,27 +1,27 @@
 //! Reads named places, and the vectors between them.
 
-use super::reader::{Name, Reader, quoted};
-use super::sighted::{ReadPlace, Sighted};
 use crate::Vec2;
 use crate::document::Written;
+use crate::scene::elements::sighted::{ReadPlace, Sighted};
+use crate::scene::numbers::reader::{Name, Reader, quoted};
 use crate::wording::words;
 
 const VECTOR: &str = r#"r1 = ["D", "A"]"#;
 
 /// A point with coordinates in the frame of its section or link.
 #[derive(Debug)]
-pub(super) struct PlacedPoint<'t> {
-    pub(super) name: Name<'t>,
+pub(crate) struct PlacedPoint<'t> {
+    pub(crate) name: Name<'t>,
     /// `None` if the coordinates could not be read.
-    pub(super) read: Option<Vec2>,
+    pub(crate) read: Option<Vec2>,
     /// The length and angle that define the coordinates, for points of a link given in this form.
-    pub(super) sighted: Option<Sighted<'t>>,
+    pub(crate) sighted: Option<Sighted<'t>>,
 }
 
 impl<'t> PlacedPoint<'t> {
     /// Creates a point of a link from its place as read. A point given by length and angle has no
     /// coordinates yet.
-    pub(super) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
+    pub(crate) fn read_as(name: Name<'t>, place: Option<ReadPlace<'t>>) -> Self {
         let (read, sighted) = match place {
             None => (None, None),
             Some(ReadPlace::At(at)) => (Some(at), None),
@@ -35,13 +35,13 @@ impl<'t> PlacedPoint<'t> {
     }
 
     /// Returns the coordinates, or a placeholder.
-    pub(super) fn at(&self) -> Vec2 {
+    pub(crate) fn at(&self) -> Vec2 {
         self.read.unwrap_or_default()
     }
 }
 
 /// Reads a table of points with coordinates.
-pub(super) fn places<'v>(
+pub(crate) fn places<'v>(
     reader: &mut Reader<'_>,
     section: &str,
     what: &str,
@@ -60,14 +60,14 @@ pub(super) fn places<'v>(
 }
 
 #[derive(Debug)]
-pub(super) struct DraftVector<'t> {
-    pub(super) name: Name<'t>,
-    pub(super) tail: Name<'t>,
-    pub(super) head: Name<'t>,
+pub(crate) struct DraftVector<'t> {
+    pub(crate) name: Name<'t>,
+    pub(crate) tail: Name<'t>,
+    pub(crate) head: Name<'t>,
 }
 
 /// Reads the section. Reports and omits vectors that could not be read.
-pub(super) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftVector<'v>> {
+pub(crate) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftVector<'v>> {
     let entries = reader.entries("[vectors]", VECTOR, value);
     entries
         .filter_map(|(name, value)| vector(reader, name, value))

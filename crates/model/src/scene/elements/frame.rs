@@ -5,13 +5,13 @@
 //! nothing and cannot move: as a link it would only repeat the ground. It becomes the vector that
 //! `[vectors]` would define.
 
-use super::draft::SceneDraft;
-use super::input::DraftInput;
-use super::link::DraftLink;
-use super::loads::DraftLoad;
-use super::points::DraftVector;
-use super::slide::DraftSlider;
 use crate::Vec2;
+use crate::scene::acting::loads::DraftLoad;
+use crate::scene::draft::SceneDraft;
+use crate::scene::elements::link::DraftLink;
+use crate::scene::elements::points::DraftVector;
+use crate::scene::elements::slide::DraftSlider;
+use crate::scene::inputs::input::DraftInput;
 use std::collections::HashMap;
 use std::collections::HashSet;
 
@@ -20,7 +20,7 @@ const ROUNDED: f64 = 1e-9;
 
 /// Converts the links that are the frame to vectors. A link whose length differs from the distance
 /// of its ends stays a link, and a later check reports that it does not fit.
-pub(super) fn as_vectors(draft: &mut SceneDraft<'_>) {
+pub(crate) fn as_vectors(draft: &mut SceneDraft<'_>) {
     let ground = draft.ground.iter();
     let ground: HashMap<&str, Vec2> = ground
         .filter_map(|point| Some((point.name.text, point.read?)))

@@ -48,7 +48,7 @@ impl Unit {
     }
 
     /// Returns its size in tenths of a millimetre as an integer.
-    pub(super) fn whole_tenths_of_mm(self) -> u32 {
+    pub(crate) fn whole_tenths_of_mm(self) -> u32 {
         match self {
             Unit::Millimetre => 10,
             Unit::Centimetre => 100,

@@ -1,13 +1,13 @@
 //! Evaluates the numbers of a scene that are formulas of its parameters.
 
-use super::figures::FormulaPlace;
-use super::reader::{ByteSpan, Name, Reader, bare_number};
-use super::{Scene, Value};
 use crate::document::{Diagnostic, NamedNumbers};
 use crate::expression::{
     self, Dimension, ExpressionTree, FormulaError, LengthScale, MeasuredNumber, evaluate,
 };
 use crate::nearest::did_you_mean;
+use crate::scene::numbers::figures::FormulaPlace;
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader, bare_number};
+use crate::scene::{Scene, Value};
 use crate::wording::words;
 
 /// Maximum number of names in a hint.
@@ -39,7 +39,7 @@ impl Reader<'_> {
     }
 
     /// Evaluates a parsed formula; reports faults.
-    pub(super) fn worth(
+    pub(crate) fn worth(
         &mut self,
         what: &str,
         formula: &Name<'_>,
@@ -85,7 +85,7 @@ impl NamedNumbers {
     }
 
     /// Parses and evaluates a formula.
-    pub(super) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
+    pub(crate) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
         self.worth_of(text, &expression::parse(text)?)
     }
 
@@ -101,7 +101,7 @@ impl NamedNumbers {
     }
 
     /// Suggests a product sign between a number and a name; returns `None` for other texts.
-    pub(super) fn product(&self, text: &str) -> Option<String> {
+    pub(crate) fn product(&self, text: &str) -> Option<String> {
         let (number, name) = text.trim().split_once(' ')?;
         let name = name.trim();
         let is_number = number.parse::<f64>().is_ok();
@@ -134,7 +134,7 @@ impl NamedNumbers {
 
 /// Checks that formulas with units have the required dimensions. Reports those that do not, and
 /// returns `false`.
-pub(super) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+pub(crate) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     if reader.worked.is_empty() {
         return true;
     }

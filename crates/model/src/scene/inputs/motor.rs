@@ -1,11 +1,12 @@
 //! The motor that is to drive a scene.
 
-use super::input::{self, DraftInput, PUSHED, TURNED};
-use super::rate::{Degree, RateKind};
-use super::reader::{ByteSpan, Reader};
-use super::table::KeyTable;
-use super::{Scene, Unit, keys, rate};
 use crate::document::{Diagnostic, Written};
+use crate::scene::inputs::input::{self, DraftInput, PUSHED, TURNED};
+use crate::scene::numbers::rate;
+use crate::scene::numbers::rate::{Degree, RateKind};
+use crate::scene::numbers::reader::{ByteSpan, Reader};
+use crate::scene::table::KeyTable;
+use crate::scene::{Scene, Unit, keys};
 use crate::wording::words;
 
 /// The capabilities of the motor at the driver's shaft, and the requirements on the drive. For a
@@ -51,7 +52,7 @@ impl Scene {
 const EXAMPLE: &str = r#"{ torque = 20, peak = 60, speed = "1500 rpm" }"#;
 
 /// Reads the section; its permitted keys depend on the kind of driver.
-pub(super) fn read(
+pub(crate) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
     driven: Option<&DraftInput<'_>>,

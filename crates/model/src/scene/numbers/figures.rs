@@ -1,8 +1,8 @@
 //! Reads the section `[figures]`: values computed from others, by name and formula.
 
-use super::reader::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Written};
 use crate::expression::{self, ExpressionTree, FormulaError};
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use crate::wording::words;
 use std::ops::Range;
 
@@ -29,7 +29,7 @@ pub(crate) struct FormulaPlace {
 }
 
 impl FormulaPlace {
-    pub(super) fn of(reader: &Reader<'_>, formula: &Name<'_>) -> FormulaPlace {
+    pub(crate) fn of(reader: &Reader<'_>, formula: &Name<'_>) -> FormulaPlace {
         let Range { start, end } = formula.span;
         let within = reader.text().get(start + 1..end.saturating_sub(1));
         FormulaPlace {
@@ -44,7 +44,7 @@ impl FormulaPlace {
     }
 
     /// Returns the diagnostic of a fault in any formula; `what` names the formula.
-    pub(super) fn fault(&self, what: &str, fault: &FormulaError) -> Diagnostic {
+    pub(crate) fn fault(&self, what: &str, fault: &FormulaError) -> Diagnostic {
         let span = match self.is_literal {
             true => {
                 let from = self.text.start + 1;
@@ -60,13 +60,13 @@ impl FormulaPlace {
 
 /// A named value, with its formula if that could be parsed.
 #[derive(Debug)]
-pub(super) struct DraftFigure<'t> {
-    pub(super) name: Name<'t>,
-    pub(super) formula: Option<NamedFormula>,
+pub(crate) struct DraftFigure<'t> {
+    pub(crate) name: Name<'t>,
+    pub(crate) formula: Option<NamedFormula>,
 }
 
 /// Reads the section, and reports every text that is not a formula.
-pub(super) fn figures<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftFigure<'v>> {
+pub(crate) fn figures<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftFigure<'v>> {
     let entries = reader.entries("[figures]", FIGURE, value);
     let read = |(name, value): (Name<'v>, &Written<'_>)| {
         let formula = formula(reader, &name, value);

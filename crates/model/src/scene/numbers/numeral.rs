@@ -31,7 +31,7 @@ pub fn are_thousands(number: &str) -> bool {
 }
 
 /// Returns the length in bytes of the decimal number at the beginning of a text.
-pub(super) fn number_length(text: &str) -> usize {
+pub(crate) fn number_length(text: &str) -> usize {
     let bytes = text.as_bytes();
     let digits = |mut at: usize| {
         while bytes.get(at).is_some_and(u8::is_ascii_digit) {
@@ -59,12 +59,12 @@ const MAX_DIGITS: usize = 14;
 
 /// Returns `true` if a text has more digits than an exact decimal, but reads as a decimal of few
 /// digits.
-pub(super) fn is_rounded(text: &str, number: f64) -> bool {
+pub(crate) fn is_rounded(text: &str, number: f64) -> bool {
     digits(text) > MAX_DIGITS && !Decimal::of(number).is_long
 }
 
 /// Parses a decimal of few digits as a double-double; returns `None` for more digits.
-pub(super) fn typed(text: &str) -> Option<Double> {
+pub(crate) fn typed(text: &str) -> Option<Double> {
     let number: f64 = text.parse().ok()?;
     let decimal = Decimal::of(number);
     (digits(text) <= MAX_DIGITS).then_some(decimal.value)

@@ -3,7 +3,7 @@
 
 /// A tolerance class of ISO 2768-1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum GeneralTolerance {
+pub(crate) enum GeneralTolerance {
     Fine,
     Medium,
     Coarse,
@@ -38,24 +38,24 @@ impl GeneralTolerance {
     ];
 
     /// Returns the designation on drawings, such as `ISO 2768-m`.
-    pub(super) fn designation(self) -> String {
+    pub(crate) fn designation(self) -> String {
         let letter = ['f', 'm', 'c', 'v'][self as usize];
         format!("{STANDARD}{letter}")
     }
 
     /// Returns the designations of all classes.
-    pub(super) fn designations() -> [String; 4] {
+    pub(crate) fn designations() -> [String; 4] {
         Self::ALL.map(Self::designation)
     }
 
-    pub(super) fn designated(text: &str) -> Option<GeneralTolerance> {
+    pub(crate) fn designated(text: &str) -> Option<GeneralTolerance> {
         let mut all = Self::ALL.into_iter();
         all.find(|class| class.designation() == text)
     }
 
     /// Returns the permissible deviation for a size, both in mm; `None` outside the standard's
     /// range.
-    pub(super) fn deviation(self, size: f64) -> Option<f64> {
+    pub(crate) fn deviation(self, size: f64) -> Option<f64> {
         let least = size * (1.0 - ROUNDING);
         if size * (1.0 + ROUNDING) < MIN_VALUE {
             return None;
@@ -65,7 +65,7 @@ impl GeneralTolerance {
     }
 
     /// Returns the range of sizes that have a deviation in this class, in mm.
-    pub(super) fn sizes(self) -> GeneralSizes {
+    pub(crate) fn sizes(self) -> GeneralSizes {
         let mut sizes = GeneralSizes {
             least: MIN_VALUE,
             is_above: false,
@@ -86,12 +86,12 @@ impl GeneralTolerance {
 
 /// The range of sizes of a class, in mm.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct GeneralSizes {
-    pub(super) least: f64,
+pub(crate) struct GeneralSizes {
+    pub(crate) least: f64,
     /// Whether the range excludes `least` itself.
-    pub(super) is_above: bool,
+    pub(crate) is_above: bool,
     /// The maximum size, included in the range.
-    pub(super) greatest: f64,
+    pub(crate) greatest: f64,
 }
 
 #[cfg(test)]

@@ -4,12 +4,12 @@
 //! once, to the nearest double. The result is written with the fewest digits that identify it:
 //! `12 in` become `304.8` mm, `30cm` become `300`.
 
-use super::Unit;
-use super::measure::{Measure, MeasureUnits};
-use super::numeral::{number_length, with_point};
-use super::rate;
-use super::values::{Value, quoted};
 use crate::expression::{self, FormulaError};
+use crate::scene::Unit;
+use crate::scene::numbers::measure::{Measure, MeasureUnits};
+use crate::scene::numbers::numeral::{number_length, with_point};
+use crate::scene::numbers::rate;
+use crate::scene::values::{Value, quoted};
 use crate::wording::words;
 use std::fmt;
 
@@ -136,7 +136,7 @@ impl Value {
     }
 
     /// Returns the text to store for a number with or without a unit.
-    pub(super) fn typed_number(&self, typed: &str) -> Result<String, ValueError> {
+    pub(crate) fn typed_number(&self, typed: &str) -> Result<String, ValueError> {
         let Some(text) = with_point(typed) else {
             let typed = typed.to_owned();
             return Err(ValueError::TwoMarks { typed });

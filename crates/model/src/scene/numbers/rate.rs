@@ -1,15 +1,15 @@
 //! Parses speeds and accelerations with units, as used for the driver.
 
-use super::Unit;
-use super::numeral::{self, are_thousands, number_length};
 use crate::expression::plain_unit;
+use crate::scene::Unit;
+use crate::scene::numbers::numeral::{self, are_thousands, number_length};
 use crate::{Double, angle};
 use std::borrow::Cow;
 use std::f64::consts::PI;
 
 /// The quantity whose rate is meant.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum RateKind {
+pub(crate) enum RateKind {
     /// An angle: the result is in rad/s or rad/s^2.
     Turn,
     /// A length: the result is in the scene's unit per s or s^2.
@@ -27,17 +27,17 @@ pub enum Degree {
 
 /// A rate in the units of the mechanism.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Rate {
-    pub(super) value: f64,
+pub(crate) struct Rate {
+    pub(crate) value: f64,
     /// Whether it was converted from another unit, which rounds it.
-    pub(super) is_converted: bool,
+    pub(crate) is_converted: bool,
     /// The typed value as a double-double, if known.
-    pub(super) typed: Option<Double>,
+    pub(crate) typed: Option<Double>,
 }
 
 /// The reason why a text is not a rate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Misfit<'t> {
+pub(crate) enum Misfit<'t> {
     /// The text does not begin with a number.
     NoNumber,
     /// The number has no unit.
@@ -52,7 +52,7 @@ pub(super) enum Misfit<'t> {
 }
 
 /// Returns the supported units.
-pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
+pub(crate) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
     match (kind, degree) {
         (RateKind::Turn, Degree::Speed) => &["rad/s", "deg/s", "rpm"],
         (RateKind::Turn, Degree::Acceleration) => &["rad/s^2", "deg/s^2"],
@@ -63,14 +63,14 @@ pub(super) fn units(kind: RateKind, degree: Degree) -> &'static [&'static str] {
 
 /// Returns the unit that a text denotes, `rad/s` for `rd/sn` and `rpm` for `d/dk`; `None` for an
 /// unknown unit.
-pub(super) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'static str> {
+pub(crate) fn known(kind: RateKind, degree: Degree, text: &str) -> Option<&'static str> {
     let plain = plain_unit(text);
     let units = units(kind, degree).iter();
     units.copied().find(|unit| *unit == plain)
 }
 
 /// Parses a number with a unit: `15 rad/s`, `143.2 rpm`, `0.05 m/s`, `15,5 rad/s`.
-pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
+pub(crate) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, Misfit<'_>> {
     let WrittenRate {
         number: written,
         unit,
@@ -95,7 +95,7 @@ pub(super) fn parse(text: &str, kind: RateKind, degree: Degree) -> Result<Rate, 
 }
 
 /// Converts a double-double from one of its units.
-pub(super) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
+pub(crate) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
     let converted = converted(number.hi, unit, kind);
     Rate {
         value: converted.unwrap_or(number.hi),
@@ -106,7 +106,7 @@ pub(super) fn of(number: Double, unit: &str, kind: RateKind) -> Rate {
 
 /// Splits a text into a formula and a trailing unit that applies to all of it: `2 * n rpm`. Returns
 /// `None` if the text begins with a plain number.
-pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
+pub(crate) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&str, &'static str)> {
     let text = text.trim();
     let ends = text.match_indices([' ', '\t', ')']);
     let heads = ends.filter_map(|(at, mark)| {
@@ -125,15 +125,15 @@ pub(super) fn formula(text: &str, kind: RateKind, degree: Degree) -> Option<(&st
 }
 
 /// A number and a unit as written in the file.
-pub(super) struct WrittenRate<'t> {
+pub(crate) struct WrittenRate<'t> {
     /// The number with a decimal point, whether written with a point or a comma.
-    pub(super) number: Cow<'t, str>,
-    pub(super) unit: &'t str,
+    pub(crate) number: Cow<'t, str>,
+    pub(crate) unit: &'t str,
 }
 
 impl WrittenRate<'_> {
     /// Splits a text into the number at its beginning and the rest.
-    pub(super) fn of(text: &str) -> WrittenRate<'_> {
+    pub(crate) fn of(text: &str) -> WrittenRate<'_> {
         let text = text.trim();
         // Replacing keeps the number of bytes, so the length applies to both texts.
         let length = number_length(&text.replace(',', "."));

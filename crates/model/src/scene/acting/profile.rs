@@ -1,9 +1,9 @@
 //! Reads functions of a coordinate, given as lists of knots `[coordinate, value]`.
 
-use super::reader::{ByteSpan, Reader};
-use super::table::KeyTable;
 use crate::Profile;
 use crate::document::{Diagnostic, Written, items};
+use crate::scene::numbers::reader::{ByteSpan, Reader};
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 
 const OVER: &str = "over = [[0, 0.2], [15, 1], [180, 0]]";
@@ -19,7 +19,7 @@ struct Knot {
 }
 
 /// Reads the factor of a load over the driver's coordinate; without a list it is 1 everywhere.
-pub(super) fn over(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+pub(crate) fn over(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
     let Some(value) = table.get("over") else {
         return Some(Profile::default());
     };
@@ -39,7 +39,7 @@ pub(super) fn over(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Prof
 
 /// Reads the force of a press over the distance from the end of its stroke, in ascending or
 /// descending order of distance.
-pub(super) fn press(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+pub(crate) fn press(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
     let what = &table.what(reader, "press");
     let form = words().distance_and_force();
     let knots = knots(reader, what, form, PRESS, table.get("press")?)?;
@@ -52,7 +52,7 @@ pub(super) fn press(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Pro
 }
 
 /// Reads the force of a gas spring over its length, in ascending or descending order of length.
-pub(super) fn gas(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
+pub(crate) fn gas(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profile> {
     let what = &table.what(reader, "force");
     let knots = knots(
         reader,
@@ -69,7 +69,7 @@ pub(super) fn gas(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Profi
 }
 
 /// Reads knots of time and coordinate, with strictly increasing times.
-pub(super) fn over_time(
+pub(crate) fn over_time(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
@@ -85,7 +85,7 @@ pub(super) fn over_time(
 
 /// Reads knots of the driver's coordinate and that of an input, with strictly increasing driver
 /// coordinates.
-pub(super) fn over_driver(
+pub(crate) fn over_driver(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,

@@ -1,8 +1,8 @@
 //! Parses a common tolerance of all lengths, typed separately from the scene: `0.1`, `0.004 in`,
 //! `ISO 2768-m`.
 
-use super::deviations::{AllowedDeviation, designated, is_beyond, unsized_by};
-use super::{Measure, Scene, Unit, Value};
+use crate::scene::accuracy::deviations::{AllowedDeviation, designated, is_beyond, unsized_by};
+use crate::scene::{Measure, Scene, Unit, Value};
 use crate::wording::words;
 use crate::{Length, PointId, Tolerances};
 
@@ -42,7 +42,7 @@ impl Scene {
 
     /// Sorts tolerances by names. Random samples draw their numbers in this order, so they do not
     /// depend on the order of the file.
-    pub(super) fn in_order_of_names(&self, mut tolerances: Tolerances) -> Tolerances {
+    pub(crate) fn in_order_of_names(&self, mut tolerances: Tolerances) -> Tolerances {
         let lengths = &mut tolerances.lengths;
         lengths.sort_by(|(a, _), (b, _)| self.order_of(*a).cmp(&self.order_of(*b)));
         let clearances = &mut tolerances.clearances;

@@ -4,12 +4,12 @@
 //! points = { P = [150, 80], E = { from = "D", length = 180, angle = 72 } }
 //! ```
 
-use super::keys;
-use super::link::DraftLink;
-use super::points::PlacedPoint;
-use super::reader::{Name, Reader, quoted};
-use super::table::KeyTable;
 use crate::document::{Diagnostic, Written, items};
+use crate::scene::elements::link::DraftLink;
+use crate::scene::elements::points::PlacedPoint;
+use crate::scene::keys;
+use crate::scene::numbers::reader::{Name, Reader, quoted};
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{Constant, Vec2, mechanism};
 use std::collections::{HashMap, HashSet, VecDeque};
@@ -18,23 +18,23 @@ const SIGHTED: &str = r#"{ from = "D", length = 180, angle = 72 }"#;
 
 /// A place by length and angle.
 #[derive(Debug)]
-pub(super) struct Sighted<'t> {
+pub(crate) struct Sighted<'t> {
     /// The reference point on the link; `None` for the origin of its frame.
-    pub(super) from: Option<Name<'t>>,
-    pub(super) length: f64,
+    pub(crate) from: Option<Name<'t>>,
+    pub(crate) length: f64,
     /// The angle in degrees.
-    pub(super) angle: f64,
+    pub(crate) angle: f64,
 }
 
 /// A place on a link, as far as it could be read.
 #[derive(Debug)]
-pub(super) enum ReadPlace<'t> {
+pub(crate) enum ReadPlace<'t> {
     At(Vec2),
     Sighted(Sighted<'t>),
 }
 
 /// Reads a place; a missing key is reported at `owner`.
-pub(super) fn place<'v>(
+pub(crate) fn place<'v>(
     reader: &mut Reader<'_>,
     what: &str,
     owner: &Name<'_>,
@@ -79,7 +79,7 @@ fn sighted<'v>(
 
 /// Computes the coordinates of a link's points given by length and angle, and sorts points after
 /// their reference points.
-pub(super) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
+pub(crate) fn lay(reader: &mut Reader<'_>, of: &str, link: &mut DraftLink<'_>) {
     let ends = link.ends.iter().flat_map(|ends| {
         let to = Vec2::new(ends.length, 0.0).map(Constant::given);
         [
@@ -153,7 +153,7 @@ fn not_on_link(what: &str, of: &str, from: &Name<'_>) -> Diagnostic {
 }
 
 /// Computes the coordinates of a centre of mass; reports a reference point that is not on the link.
-pub(super) fn lay_centre(
+pub(crate) fn lay_centre(
     reader: &mut Reader<'_>,
     of: &str,
     sighted: &Sighted<'_>,

@@ -1,13 +1,13 @@
 //! Reads links.
 
-use super::deviations::{self, DraftTolerance};
-use super::keys;
-use super::points::PlacedPoint;
-use super::reader::{ByteSpan, Name, Reader, quoted};
-use super::sighted;
-use super::table::KeyTable;
 use crate::Vec2;
 use crate::document::{self, Diagnostic, Written};
+use crate::scene::accuracy::deviations::{self, DraftTolerance};
+use crate::scene::elements::points::PlacedPoint;
+use crate::scene::elements::sighted;
+use crate::scene::keys;
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 
 /// Maximum number of links of a scene.
@@ -17,32 +17,32 @@ const LINK: &str = r#"r2 = { from = "A", to = "B", length = 100 }"#;
 const POINTS: &str = "r2 = { points = { A = [0, 0] } }";
 
 #[derive(Debug)]
-pub(super) struct DraftLink<'t> {
-    pub(super) name: Name<'t>,
-    pub(super) ends: Option<Ends<'t>>,
-    pub(super) points: Vec<PlacedPoint<'t>>,
+pub(crate) struct DraftLink<'t> {
+    pub(crate) name: Name<'t>,
+    pub(crate) ends: Option<Ends<'t>>,
+    pub(crate) points: Vec<PlacedPoint<'t>>,
     /// The centre of mass; its name is the key.
-    pub(super) com: Option<PlacedPoint<'t>>,
-    pub(super) mass: f64,
-    pub(super) inertia: f64,
+    pub(crate) com: Option<PlacedPoint<'t>>,
+    pub(crate) mass: f64,
+    pub(crate) inertia: f64,
     /// The key `mass`, or `inertia` if there is no mass.
-    pub(super) mass_key: Option<Name<'t>>,
+    pub(crate) mass_key: Option<Name<'t>>,
     /// The tolerance of its length and of the coordinates of its points.
-    pub(super) tolerance: Option<DraftTolerance>,
+    pub(crate) tolerance: Option<DraftTolerance>,
     /// Whether a diagnostic was reported for the link.
-    pub(super) broken: bool,
+    pub(crate) broken: bool,
 }
 
 impl<'t> DraftLink<'t> {
     /// Returns the names of its points, the ends first.
-    pub(super) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
+    pub(crate) fn point_names(&self) -> impl Iterator<Item = &Name<'t>> {
         let ends = self.ends.iter().flat_map(|ends| [&ends.from, &ends.to]);
         ends.chain(self.points.iter().map(|p| &p.name))
     }
 
     /// Returns the coordinates of one of the link's points in the link's frame; `None` if it is not
     /// on the link.
-    pub(super) fn local(&self, point: &str) -> Option<Vec2> {
+    pub(crate) fn local(&self, point: &str) -> Option<Vec2> {
         let ends = self.ends.as_ref().and_then(|ends| {
             if ends.from.text == point {
                 Some(Vec2::ZERO)
@@ -56,30 +56,30 @@ impl<'t> DraftLink<'t> {
 }
 
 #[derive(Debug)]
-pub(super) struct Ends<'t> {
-    pub(super) from: Name<'t>,
-    pub(super) to: Name<'t>,
-    pub(super) length: f64,
+pub(crate) struct Ends<'t> {
+    pub(crate) from: Name<'t>,
+    pub(crate) to: Name<'t>,
+    pub(crate) length: f64,
 }
 
 /// Returns the diagnostic of a scene without links and slides; other missing parts follow from
 /// that.
-pub(super) fn nothing_moves() -> Diagnostic {
+pub(crate) fn nothing_moves() -> Diagnostic {
     Diagnostic::new(words().no_links()).help(words().add_for_example(&format!("[links]\n{LINK}")))
 }
 
 /// The links of a scene, and the parts lost by faults in them.
 #[derive(Debug, Default)]
-pub(super) struct Read<'t> {
-    pub(super) links: Vec<DraftLink<'t>>,
+pub(crate) struct Read<'t> {
+    pub(crate) links: Vec<DraftLink<'t>>,
     /// Whether the number of links exceeds the maximum.
-    pub(super) too_many: bool,
+    pub(crate) too_many: bool,
     /// Whether a link names an unreadable point.
-    pub(super) lost_points: bool,
+    pub(crate) lost_points: bool,
 }
 
 /// Reads the section.
-pub(super) fn links<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Read<'v> {
+pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Read<'v> {
     let mut read = Read::default();
     let Some(entries) = reader.section("[links]", LINK, value) else {
         return read;

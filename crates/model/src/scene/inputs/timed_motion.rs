@@ -1,12 +1,12 @@
 //! Reads the driver's motion over time, step by step.
 
-use super::keys;
-use super::limits::DraftEnds;
-use super::profile;
-use super::reader::{ByteSpan, Reader};
-use super::table::KeyTable;
 use crate::document::{Diagnostic, Written, items};
 use crate::nearest::did_you_mean;
+use crate::scene::acting::profile;
+use crate::scene::elements::limits::DraftEnds;
+use crate::scene::keys;
+use crate::scene::numbers::reader::{ByteSpan, Reader};
+use crate::scene::table::KeyTable;
 use crate::wording::words;
 use crate::{ClampedSpline, MotionLaw, StepLaw, TimedStep};
 
@@ -16,15 +16,15 @@ const LAWS: [&str; 5] = ["constant", "harmonic", "cycloidal", "trapezoid", "tabl
 const RAMP: f64 = 1.0 / 3.0;
 
 /// The start and range of a motion.
-pub(super) struct MotionFrame<'r> {
-    pub(super) start: f64,
+pub(crate) struct MotionFrame<'r> {
+    pub(crate) start: f64,
     /// Whether a link is turned: its motion may end whole turns away from the start.
-    pub(super) turns: bool,
-    pub(super) range: Option<&'r DraftEnds>,
+    pub(crate) turns: bool,
+    pub(crate) range: Option<&'r DraftEnds>,
 }
 
 /// Reads the list; reports faults and returns `None` for them.
-pub(super) fn read(
+pub(crate) fn read(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
     what: &str,
@@ -190,7 +190,7 @@ fn foreign(reader: &mut Reader<'_>, table: &KeyTable<'_>, kind: &str) {
 }
 
 /// Reports a key that contradicts a motion, which already determines the speed.
-pub(super) fn alone(reader: &mut Reader<'_>, key: &str, place: &ByteSpan) {
+pub(crate) fn alone(reader: &mut Reader<'_>, key: &str, place: &ByteSpan) {
     reader.report(
         Diagnostic::new(words().motion_beside(key))
             .at(place.clone(), words().the_motion_says())

@@ -1,11 +1,11 @@
 //! Reads the accepted misfit of redundant constraints.
 
-use super::draft::SceneDraft;
-use super::keys;
-use super::points::PlacedPoint;
-use super::reader::{ByteSpan, Reader};
 use crate::Vec2;
 use crate::document::{Diagnostic, Written};
+use crate::scene::draft::SceneDraft;
+use crate::scene::elements::points::PlacedPoint;
+use crate::scene::keys;
+use crate::scene::numbers::reader::{ByteSpan, Reader};
 use crate::wording::words;
 
 const EXAMPLE: &str = "{ misfit = 1e-4 }";
@@ -14,13 +14,13 @@ const MAX_PART: f64 = 0.01;
 
 /// The accepted misfit in the scene's unit, with its place in the text.
 #[derive(Debug, Default)]
-pub(super) struct Redundant {
-    pub(super) misfit: f64,
+pub(crate) struct Redundant {
+    pub(crate) misfit: f64,
     place: ByteSpan,
 }
 
 /// Reads the section.
-pub(super) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
+pub(crate) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
     let names = ["[redundant]"; 2];
     let Some(table) = reader.open(names, keys::REDUNDANT, EXAMPLE, value) else {
         return Redundant::default();
@@ -33,7 +33,7 @@ pub(super) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
 }
 
 /// Reports a misfit out of proportion, which would accept constraints that contradict each other.
-pub(super) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
+pub(crate) fn check(reader: &mut Reader<'_>, draft: &SceneDraft<'_>) {
     let Redundant { misfit, place } = &draft.redundant;
     let most = MAX_PART * longest(draft);
     if *misfit > most {

@@ -1,18 +1,18 @@
 //! Reads numbers and pairs of a scene, and reports invalid ones.
 
-use super::numeral::{is_rounded, number_length};
 use crate::Vec2;
 use crate::arithmetic::Decimal;
-pub(super) use crate::document::{ByteSpan, Name, Reader, quoted};
+pub(crate) use crate::document::{ByteSpan, Name, Reader, quoted};
 use crate::document::{Diagnostic, Written, has_decimal_comma, items, number_of};
 use crate::expression;
+use crate::scene::numbers::numeral::{is_rounded, number_length};
 use crate::wording::words;
 
 /// Maximum absolute value of a coordinate or length. Squares of scaled values must stay finite, and
 /// no real mechanism comes near.
-pub(super) const MAX_SIZE: f64 = 1e300;
+pub(crate) const MAX_SIZE: f64 = 1e300;
 /// Minimum length, for the same reason.
-pub(super) const MIN_LENGTH: f64 = 1e-300;
+pub(crate) const MIN_LENGTH: f64 = 1e-300;
 
 /// Maximum relative rounding error of a formula in double-double, with a margin.
 const TWICE_ROUNDED: f64 = 1e-29;
@@ -74,7 +74,7 @@ impl Reader<'_> {
     }
 
     /// Reads a pair `[x, y]`.
-    pub(super) fn pair(&mut self, what: &str, value: &Written<'_>) -> Option<Vec2> {
+    pub(crate) fn pair(&mut self, what: &str, value: &Written<'_>) -> Option<Vec2> {
         let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&words().part_of("x", what), x);
         let y = self.number(&words().part_of("y", what), y);
@@ -82,7 +82,7 @@ impl Reader<'_> {
     }
 
     /// Reads a list of exactly two values.
-    pub(super) fn two<'v>(
+    pub(crate) fn two<'v>(
         &mut self,
         what: &str,
         form: &str,
@@ -114,7 +114,7 @@ impl Reader<'_> {
 
 /// Returns the hint for a number written as text, possibly followed by something that is not a
 /// unit; `None` for other texts.
-pub(super) fn bare_number(text: &str) -> Option<String> {
+pub(crate) fn bare_number(text: &str) -> Option<String> {
     let text = text.trim();
     let (number, rest) = text.split_at(number_length(text));
     let help = match (number.is_empty(), rest.is_empty()) {

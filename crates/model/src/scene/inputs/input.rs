@@ -1,38 +1,38 @@
 //! Reads the driver.
 
-use super::limits::{self, DraftEnds};
-use super::rate::{self, Degree, Misfit, Rate, RateKind};
-use super::reader::{ByteSpan, Name, Reader};
-use super::table::KeyTable;
-use super::timed_motion::{self, MotionFrame};
-use super::{Unit, keys};
 use crate::document::{Diagnostic, Written};
 use crate::nearest::did_you_mean;
+use crate::scene::elements::limits::{self, DraftEnds};
+use crate::scene::inputs::timed_motion::{self, MotionFrame};
+use crate::scene::numbers::rate::{self, Degree, Misfit, Rate, RateKind};
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
+use crate::scene::table::KeyTable;
+use crate::scene::{Unit, keys};
 use crate::wording::words;
 use crate::{Double, Mechanism, MotionLaw};
 use toml::de::DeValue;
 
 #[derive(Debug)]
-pub(super) struct DraftDriver<'t> {
+pub(crate) struct DraftDriver<'t> {
     /// The link or slide named by the key `link` or `slide`.
-    pub(super) input: DraftInput<'t>,
+    pub(crate) input: DraftInput<'t>,
     /// The link that carries the motor of a driven link; `None` if the ground carries it.
-    pub(super) from: Option<Name<'t>>,
-    pub(super) start: f64,
+    pub(crate) from: Option<Name<'t>>,
+    pub(crate) start: f64,
     /// The range of the coordinate.
-    pub(super) range: Option<DraftEnds>,
-    pub(super) speed: f64,
-    pub(super) acceleration: f64,
+    pub(crate) range: Option<DraftEnds>,
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
     /// Whether the speed or the acceleration was converted from another unit.
-    pub(super) is_converted: bool,
+    pub(crate) is_converted: bool,
     /// The given speed and acceleration as double-doubles, if both are known.
-    pub(super) typed_rates: Option<[Double; 2]>,
+    pub(crate) typed_rates: Option<[Double; 2]>,
     /// The motion over time.
-    pub(super) motion: Option<MotionLaw>,
+    pub(crate) motion: Option<MotionLaw>,
 }
 
 #[derive(Debug)]
-pub(super) enum DraftInput<'t> {
+pub(crate) enum DraftInput<'t> {
     Link(Name<'t>),
     Slide(Name<'t>),
 }
@@ -42,19 +42,19 @@ pub(super) enum DraftInput<'t> {
 const UNIT_SPEED: f64 = 1.0;
 
 /// The keys of one kind of driver.
-pub(super) struct DriverForm {
+pub(crate) struct DriverForm {
     /// The key that names the driven element.
-    pub(super) driven: &'static str,
+    pub(crate) driven: &'static str,
     /// The key of the coordinate.
     coordinate: &'static str,
     /// The key of the other kind's coordinate.
     other: &'static str,
     /// The key of the motor's effort.
-    pub(super) effort: &'static str,
+    pub(crate) effort: &'static str,
     example: &'static str,
 }
 
-pub(super) const TURNED: DriverForm = DriverForm {
+pub(crate) const TURNED: DriverForm = DriverForm {
     driven: "link",
     coordinate: "angle",
     other: "position",
@@ -62,7 +62,7 @@ pub(super) const TURNED: DriverForm = DriverForm {
     example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
 };
 
-pub(super) const PUSHED: DriverForm = DriverForm {
+pub(crate) const PUSHED: DriverForm = DriverForm {
     driven: "slide",
     coordinate: "position",
     other: "angle",
@@ -80,7 +80,7 @@ pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
 }
 
 /// Reads the section; `key` is the place of its name.
-pub(super) fn driver<'v>(
+pub(crate) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
     key: &ByteSpan,
@@ -151,7 +151,7 @@ pub(super) fn driver<'v>(
 
 /// Reads the link that carries the motor of an input. Reports a driven slide that has one: its
 /// guide takes that role.
-pub(super) fn seat<'v>(
+pub(crate) fn seat<'v>(
     reader: &mut Reader<'_>,
     of: &str,
     kind: RateKind,
@@ -253,7 +253,7 @@ fn start(
 }
 
 /// Reads a speed or an acceleration; returns `None` if it is missing or invalid.
-pub(super) fn rate(
+pub(crate) fn rate(
     reader: &mut Reader<'_>,
     table: &KeyTable<'_>,
     key: &str,
