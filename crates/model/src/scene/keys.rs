@@ -354,8 +354,113 @@ fn row(table: &mut String, name: &str, key: &SceneKey) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::Scene;
     use crate::wording::Language;
     use std::collections::BTreeSet;
+
+    /// Returns `true` if a value of the wrong type is reported in a scene with these sections.
+    fn is_reported(sections: &[(&str, &str)]) -> bool {
+        let lines = sections
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}\n"));
+        let text: String = lines.collect();
+        let faults = Scene::parse(&text, "t").unwrap_err();
+        let places = faults.items.iter().filter_map(|item| item.primary.as_ref());
+        places
+            .into_iter()
+            .any(|place| &text[place.span.clone()] == "true")
+    }
+
+    /// Returns the keys by which a table is of this kind.
+    fn characteristic(table: &str, kind: &str) -> Vec<(String, &'static str)> {
+        let named = |key: &str| vec![(key.to_owned(), "\"r2\"")];
+        match (table, kind) {
+            ("driver", "") => vec![("link".into(), "\"r2\""), ("angle".into(), "0")],
+            (_, TORSION) => named("link"),
+            ("motor" | "", _) | (_, "" | "spring") => Vec::new(),
+            ("motion", "dwell") => vec![("dwell".into(), "1")],
+            ("motion", law) => {
+                let known = [
+                    "\"constant\"",
+                    "\"harmonic\"",
+                    "\"cycloidal\"",
+                    "\"trapezoid\"",
+                    "\"table\"",
+                ];
+                let law = known
+                    .into_iter()
+                    .find(|known| known.trim_matches('"') == law);
+                vec![("law".into(), law.unwrap())]
+            }
+            (_, "force") => vec![("force".into(), "[1, 1]"), ("point".into(), "\"B\"")],
+            (_, "torque") => vec![("torque".into(), "1"), ("link".into(), "\"r2\"")],
+            (_, "press") => vec![("press".into(), "[[1, 1]]"), ("slide".into(), "\"r4\"")],
+            (_, "gas") => vec![("force".into(), "[[1, 1]]")],
+
+            (_, key) => named(key),
+        }
+    }
+
+    /// A key without code that reads it would accept any value.
+    #[test]
+    fn every_key_of_every_table_is_read() {
+        let tables: [(&str, &[SceneKey], [&str; 2]); 12] = [
+            ("", SCENE, ["", ""]),
+            ("driver", DRIVER, ["{ ", " }"]),
+            (
+                "motion",
+                STEP,
+                ["{ link = \"r2\", angle = 0, motion = [{ ", " }] }"],
+            ),
+            ("inputs", TIMED, ["{ r3 = { ", " } }"]),
+            ("links", LINK, ["{ r9 = { ", " } }"]),
+            ("links", PLACE, ["{ r9 = { points = { P = { ", " } } } }"]),
+            ("slides", SLIDE, ["{ r4 = { ", " } }"]),
+            ("limits", LIMIT, ["{ elbow = { ", " } }"]),
+            ("loads", LOAD, ["[{ ", " }]"]),
+            ("springs", SPRING, ["[{ ", " }]"]),
+            ("motor", MOTOR, ["{ ", " }"]),
+            ("redundant", REDUNDANT, ["{ ", " }"]),
+        ];
+        for (table, keys, [begin, end]) in tables {
+            for key in keys {
+                let kinds: &[&str] = if key.of.is_empty() { &[""] } else { key.of };
+                for kind in kinds {
+                    let mut pairs = characteristic(table, kind);
+                    pairs.retain(|(name, _)| name != key.name);
+                    pairs.push((key.name.to_owned(), "true"));
+                    let pairs = pairs
+                        .iter()
+                        .map(|(name, value)| format!("{name} = {value}"));
+                    let value = format!("{begin}{}{end}", pairs.collect::<Vec<_>>().join(", "));
+                    let section = match table {
+                        "" => (key.name, "true"),
+                        "motion" => ("driver", &*value),
+                        table => (table, &*value),
+                    };
+                    let driver = match *kind {
+                        "slide" => "{ slide = \"r4\", position = 1 }",
+                        _ => "{ link = \"r2\", angle = 0 }",
+                    };
+                    let others = [
+                        ("ground", "{ A = [0, 0] }"),
+                        ("driver", driver),
+                        (
+                            "links",
+                            "{ r2 = { from = \"A\", to = \"B\", length = 1 }, r3 = { from = \"B\", to = \"C\", length = 2 } }",
+                        ),
+                        (
+                            "slides",
+                            "{ r4 = { point = \"C\", on = \"ground\", through = \"A\" } }",
+                        ),
+                    ];
+                    let mut sections = vec![section];
+                    sections.extend(others.into_iter().filter(|(name, _)| *name != section.0));
+                    assert!(is_reported(&sections), "{table}: {} of {kind}", key.name);
+                }
+            }
+        }
+    }
 
     /// The reference describes every key, and has the same rows in both languages.
     #[test]
