@@ -1,7 +1,7 @@
 //! Reads function tasks, given by pairs or by a formula over a range.
 
 use super::{Reader, keys, lacks, rows};
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::expression::{MeasuredNumber, Wide};
 use crate::scene::{KeyTable, NumberRule};
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
@@ -87,7 +87,7 @@ pub(super) fn function(
 fn pairs(
     reader: &mut Reader<'_>,
     file: &KeyTable<'_>,
-    written: &Written<'_>,
+    written: &WrittenValue<'_>,
 ) -> Option<FunctionCourse> {
     let rows = rows(reader, file, "pairs", ("[x, y]", "[30, 42]"), [None; 2])?;
     if !(3..=MAX_COUNT).contains(&rows.len()) {
@@ -114,7 +114,7 @@ fn pairs(
     })
 }
 
-fn formula(reader: &mut Reader<'_>, value: &Written<'_>) -> Option<FunctionCourse> {
+fn formula(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Option<FunctionCourse> {
     let names = ["`function`"; 2];
     let table = &reader.open(names, keys::FUNCTION, FUNCTION, value)?;
     reader.only_known(table);

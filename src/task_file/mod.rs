@@ -21,12 +21,13 @@ mod wishes;
 pub use examples::ExampleTask;
 
 use crate::Vec2;
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Reader, Written, items};
+use crate::document::{
+    self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader, WrittenValue, items,
+};
 use crate::nearest::did_you_mean;
 use crate::scene::{self, KeyTable, MAX_FILE_SIZE, Measure, Unit};
 use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
-use toml::de::DeTable;
 
 /// A task with its names.
 #[derive(Clone, Debug, PartialEq)]
@@ -108,7 +109,7 @@ impl TaskFile {
     }
 }
 
-fn task_file(reader: &mut Reader<'_>, root: &DeTable<'_>, origin: &str) -> Option<TaskFile> {
+fn task_file(reader: &mut Reader<'_>, root: &Entries<'_>, origin: &str) -> Option<TaskFile> {
     let file = &KeyTable::root(words().the_task_itself(), keys::TASK, root);
     if let (false, Some(links)) = (file.has("kind"), scene_part(root)) {
         let fault = Diagnostic::new(words().scene_for_a_task());
@@ -158,7 +159,7 @@ fn task_file(reader: &mut Reader<'_>, root: &DeTable<'_>, origin: &str) -> Optio
 }
 
 /// Returns the place of a key that only scenes have.
-fn scene_part(root: &DeTable<'_>) -> Option<ByteSpan> {
+fn scene_part(root: &Entries<'_>) -> Option<ByteSpan> {
     let mut parts = ["links", "slides"].into_iter();
     parts.find_map(|key| Some(root.get_key_value(key)?.0.span()))
 }
@@ -233,8 +234,8 @@ fn list<'v>(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &'v Written<'v>,
-) -> Option<&'v [Written<'v>]> {
+    value: &'v WrittenValue<'v>,
+) -> Option<&'v [WrittenValue<'v>]> {
     let items = items(value);
     if items.is_none() {
         let fault = reader.mistyped(what, words().a_list(), value);

@@ -2,7 +2,7 @@
 
 use super::{Reader, keys, points};
 use crate::Vec2;
-use crate::document::{ByteSpan, Diagnostic, Written};
+use crate::document::{ByteSpan, Diagnostic, WrittenValue};
 use crate::scene::KeyTable;
 use crate::synthesis::{FunctionTask, Given, Output, Preferences, Sense, Task, TaskKind};
 use crate::wording::words;
@@ -36,7 +36,7 @@ pub(super) fn wishes(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> ReadWishes
     table.is_root = true;
     let table = &table;
     reader.only_known(table);
-    let place = |key: &str| table.get(key).map(Written::span);
+    let place = |key: &str| table.get(key).map(WrittenValue::span);
     let mut flag = |key: &str| reader.boolean(&format!("`{key}`"), table.get(key)?);
     read.wishes.full_turn = flag("full-turn").unwrap_or(false);
     read.ordered = flag("order");
@@ -96,7 +96,7 @@ impl ReadWishes {
 
     /// Reports incompatible preferences.
     pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, file: &KeyTable<'_>) {
-        let place = |key: &str| file.get(key).map(Written::span);
+        let place = |key: &str| file.get(key).map(WrittenValue::span);
         if let Some(corners) = self.wishes.inside {
             let given = points(reader, file, "pivots").unwrap_or_default();
             for (at, place) in given {

@@ -1,6 +1,6 @@
 //! The section `[keys]` of the configuration: the user's keys for actions.
 
-use crate::document::{ByteSpan, Diagnostic, Reader, Written, items, quoted};
+use crate::document::{ByteSpan, Diagnostic, Reader, WrittenValue, items, quoted};
 use crate::nearest::did_you_mean;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::key::{self, Key};
@@ -36,7 +36,7 @@ struct GivenKey {
 }
 
 /// Reads the section into the keymap: for each action a list of keys, or a single key.
-pub(super) fn read(reader: &mut Reader<'_>, section: &Written<'_>, keymap: &mut Keymap) {
+pub(super) fn read(reader: &mut Reader<'_>, section: &WrittenValue<'_>, keymap: &mut Keymap) {
     let mut given = Vec::new();
     for (name, value) in reader.entries("[keys]", "play = [\"space\", \"F5\"]", section) {
         let text = name.text;
@@ -95,7 +95,7 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
 }
 
 /// Reads one key or a list of keys.
-fn keys_of(reader: &mut Reader<'_>, of: &str, value: &Written<'_>) -> Vec<(Key, ByteSpan)> {
+fn keys_of(reader: &mut Reader<'_>, of: &str, value: &WrittenValue<'_>) -> Vec<(Key, ByteSpan)> {
     let written = items(value).unwrap_or(std::slice::from_ref(value));
     let mut keys = Vec::new();
     for value in written {

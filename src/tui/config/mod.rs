@@ -6,7 +6,7 @@ mod template;
 pub use template::template;
 
 use crate::capability::{Colours, PictureChoice};
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Reader};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
 use crate::nearest::did_you_mean;
@@ -16,7 +16,6 @@ use crate::tui::commands::keymap::Keymap;
 use crate::tui::views::layout::LayoutName;
 use crate::wording::{Language, words};
 use std::path::PathBuf;
-use toml::de::DeTable;
 
 /// The user's configuration.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -185,7 +184,7 @@ impl Config {
     }
 
     /// Applies the values in the file; invalid ones keep their defaults.
-    fn take(&mut self, reader: &mut Reader<'_>, file: &DeTable<'_>) {
+    fn take(&mut self, reader: &mut Reader<'_>, file: &Entries<'_>) {
         let glyphs = choice(reader, "glyphs", &GLYPHS, file);
         self.glyphs = glyphs.unwrap_or_default();
         let colours = choice(reader, "colour", &COLOURS, file);
@@ -212,7 +211,7 @@ impl Config {
 }
 
 /// Returns the format of CSV files. A comma cannot be both decimal mark and separator.
-fn dialect(reader: &mut Reader<'_>, file: &DeTable<'_>) -> Option<CsvDialect> {
+fn dialect(reader: &mut Reader<'_>, file: &Entries<'_>) -> Option<CsvDialect> {
     let decimal = choice(reader, "decimal", &decimals(), file);
     let separator = choice(reader, "separator", &separators(), file);
     let found = CsvDialect::of(decimal.unwrap_or_default(), separator.flatten());
@@ -231,7 +230,7 @@ fn choice<T: Copy>(
     reader: &mut Reader<'_>,
     key: &str,
     known: &[Named<T>],
-    file: &DeTable<'_>,
+    file: &Entries<'_>,
 ) -> Option<T> {
     let given = reader.string(&format!("`{key}`"), file.get(key)?)?;
     let found = known.iter().find(|(name, _)| *name == given.text);

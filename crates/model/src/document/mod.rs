@@ -13,7 +13,7 @@ mod syntax;
 pub use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
 pub(crate) use node::number_of;
-pub use node::{Written, entries, items};
+pub use node::{Entries, WrittenValue, entries, items};
 pub use reader::{ByteSpan, Name, NamedNumbers, Reader, meant, quoted};
 pub use sanitize::ascii_letter;
 pub use sanitize::with_ascii_letters;

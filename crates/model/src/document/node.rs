@@ -6,10 +6,13 @@ use toml::Spanned;
 use toml::de::{DeInteger, DeTable, DeValue};
 
 /// A value of a document with its place.
-pub type Written<'t> = Spanned<DeValue<'t>>;
+pub type WrittenValue<'t> = Spanned<DeValue<'t>>;
+
+/// The keys and values of a table.
+pub type Entries<'t> = DeTable<'t>;
 
 /// Returns the kind of a value as a phrase for messages.
-pub(super) fn kind_of(value: &Written<'_>) -> &'static str {
+pub(super) fn kind_of(value: &WrittenValue<'_>) -> &'static str {
     match value.get_ref() {
         DeValue::String(_) => words().a_text(),
         DeValue::Integer(_) | DeValue::Float(_) => words().a_number(),
@@ -21,7 +24,9 @@ pub(super) fn kind_of(value: &Written<'_>) -> &'static str {
 }
 
 /// Returns name and value of each entry of a table, in the order of the file.
-pub fn entries<'v>(table: &'v DeTable<'v>) -> impl Iterator<Item = (Name<'v>, &'v Written<'v>)> {
+pub fn entries<'v>(
+    table: &'v DeTable<'v>,
+) -> impl Iterator<Item = (Name<'v>, &'v WrittenValue<'v>)> {
     table.iter().map(|(key, value)| {
         let (text, span) = (key.get_ref().as_ref(), key.span());
         (Name { text, span }, value)
@@ -29,13 +34,13 @@ pub fn entries<'v>(table: &'v DeTable<'v>) -> impl Iterator<Item = (Name<'v>, &'
 }
 
 /// Returns the items of a list; `None` for another value.
-pub fn items<'v>(value: &'v Written<'v>) -> Option<&'v [Written<'v>]> {
+pub fn items<'v>(value: &'v WrittenValue<'v>) -> Option<&'v [WrittenValue<'v>]> {
     value.get_ref().as_array().map(AsRef::as_ref)
 }
 
 /// Returns the double nearest to the digits in the text, infinite on overflow; `None` for a value
 /// that is not a number. TOML's own integers have no negative zero and are limited to 128 bits.
-pub(crate) fn number_of(text: &str, value: &Written<'_>) -> Option<f64> {
+pub(crate) fn number_of(text: &str, value: &WrittenValue<'_>) -> Option<f64> {
     let in_base = match value.get_ref() {
         DeValue::Integer(integer) => nearest(integer),
         DeValue::Float(_) => f64::INFINITY,

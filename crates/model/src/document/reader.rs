@@ -1,7 +1,7 @@
 //! Reads values of a document, and reports everything that does not fit.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::node::{Written, entries, kind_of};
+use super::node::{WrittenValue, entries, kind_of};
 use super::sanitize::escaped;
 use crate::expression::MeasuredNumber;
 use crate::nearest::{did_you_mean, nearest};
@@ -124,13 +124,13 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns the diagnostic of a value of the wrong type.
-    pub fn mistyped(&self, what: &str, wanted: &str, value: &Written<'_>) -> Diagnostic {
+    pub fn mistyped(&self, what: &str, wanted: &str, value: &WrittenValue<'_>) -> Diagnostic {
         Diagnostic::new(words().must_be(what, wanted, kind_of(value)))
             .at(value.span(), words().expected(wanted))
     }
 
     /// Reads a text.
-    pub fn string<'v>(&mut self, what: &str, value: &'v Written<'v>) -> Option<Name<'v>> {
+    pub fn string<'v>(&mut self, what: &str, value: &'v WrittenValue<'v>) -> Option<Name<'v>> {
         let span = value.span();
         if let Some(text) = value.get_ref().as_str() {
             return Some(Name { text, span });
@@ -148,7 +148,7 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads a boolean; used by the configuration and by tasks.
-    pub fn boolean(&mut self, what: &str, value: &Written<'_>) -> Option<bool> {
+    pub fn boolean(&mut self, what: &str, value: &WrittenValue<'_>) -> Option<bool> {
         let read = value.get_ref().as_bool();
         if read.is_none() {
             let fault = self.mistyped(what, words().a_truth(), value);
@@ -163,7 +163,7 @@ impl<'t> Reader<'t> {
         &mut self,
         what: &str,
         example: &str,
-        value: &'v Written<'v>,
+        value: &'v WrittenValue<'v>,
     ) -> Option<&'v DeTable<'v>> {
         let table = value.get_ref().as_table();
         if table.is_none() {
@@ -178,8 +178,8 @@ impl<'t> Reader<'t> {
         &mut self,
         what: &str,
         example: &str,
-        value: &'v Written<'v>,
-    ) -> impl Iterator<Item = (Name<'v>, &'v Written<'v>)> + use<'v> {
+        value: &'v WrittenValue<'v>,
+    ) -> impl Iterator<Item = (Name<'v>, &'v WrittenValue<'v>)> + use<'v> {
         let table = self.section(what, example, value);
         table.into_iter().flat_map(entries)
     }

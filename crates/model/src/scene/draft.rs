@@ -19,7 +19,7 @@ use super::numbers::parameters::{self, DraftParameter};
 use super::numbers::reader::{ByteSpan, Reader};
 use super::table::KeyTable;
 use crate::Vec2;
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
 use std::collections::HashSet;
@@ -118,7 +118,7 @@ pub(crate) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneD
 
 impl<'v> SceneDraft<'v> {
     /// Returns the value of a section. One that is not a table loses all its names.
-    fn section(&mut self, file: &KeyTable<'v>, key: &str) -> Option<&'v Written<'v>> {
+    fn section(&mut self, file: &KeyTable<'v>, key: &str) -> Option<&'v WrittenValue<'v>> {
         let value = file.get(key)?;
         self.unreadable |= !value.get_ref().is_table();
         Some(value)
@@ -205,7 +205,11 @@ impl<'v> SceneDraft<'v> {
 }
 
 /// Reads a text as one line: runs of white space become one space.
-pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Written<'_>>) -> Option<String> {
+pub fn line(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&WrittenValue<'_>>,
+) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
     let parts: Vec<&str> = text.split_whitespace().collect();
     let shown = super::sanitized(&parts.join(" "), false);
@@ -213,7 +217,7 @@ pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Written<'_>>) -> 
 }
 
 /// Reads the unit of lengths; an unknown one is reported and replaced.
-pub fn unit(reader: &mut Reader<'_>, value: Option<&Written<'_>>) -> Unit {
+pub fn unit(reader: &mut Reader<'_>, value: Option<&WrittenValue<'_>>) -> Unit {
     let name = value.and_then(|value| reader.string("`unit`", value));
     let Some(name) = name else {
         return Unit::default();

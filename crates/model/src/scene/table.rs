@@ -6,7 +6,7 @@ use super::keys::{self, KeyKind, NumberMeasure, SceneKey};
 use super::numbers::measure::{Measure, MeasureUnits};
 use super::numbers::reader::{ByteSpan, MIN_LENGTH, Name, Reader};
 use crate::Vec2;
-use crate::document::{Diagnostic, Written, entries, meant};
+use crate::document::{Diagnostic, WrittenValue, entries, meant};
 use crate::wording::words;
 use toml::de::DeTable;
 
@@ -55,7 +55,7 @@ impl<'v> KeyTable<'v> {
 
     /// Returns the value of a key.
     #[must_use]
-    pub fn get(&self, key: &str) -> Option<&'v Written<'v>> {
+    pub fn get(&self, key: &str) -> Option<&'v WrittenValue<'v>> {
         debug_assert!(keys::find(self.keys, key).is_some(), "no row for `{key}`");
         self.entries.get(key)
     }
@@ -152,7 +152,7 @@ impl Reader<'_> {
         [what, of]: [&str; 2],
         keys: &'static [SceneKey],
         example: &str,
-        value: &'v Written<'v>,
+        value: &'v WrittenValue<'v>,
     ) -> Option<KeyTable<'v>> {
         let entries = self.section(what, example, value)?;
         Some(KeyTable::new(of, keys, entries, value.span()))
@@ -212,7 +212,7 @@ impl Reader<'_> {
         what: &str,
         key: &str,
         rule: NumberRule,
-        value: &Written<'_>,
+        value: &WrittenValue<'_>,
     ) -> Option<f64> {
         let number = self.number(what, value)?;
         self.permits(what, key, rule, number, value)
@@ -226,7 +226,7 @@ impl Reader<'_> {
         key: &str,
         rule: NumberRule,
         number: f64,
-        value: &Written<'_>,
+        value: &WrittenValue<'_>,
     ) -> bool {
         if rule.holds(number) {
             return true;
@@ -254,7 +254,7 @@ impl Reader<'_> {
         &mut self,
         what: &str,
         measure: Option<Measure>,
-        value: &Written<'_>,
+        value: &WrittenValue<'_>,
     ) -> Option<f64> {
         let number = self.number(what, value)?;
         let wanted = measure.and_then(Measure::dimension);

@@ -1,6 +1,6 @@
 //! Reads tolerances and clearances, and decides which of them applies to which length.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::scene::Unit;
 use crate::scene::accuracy::general_tolerance::{GeneralSizes, GeneralTolerance};
@@ -105,7 +105,11 @@ pub(crate) fn tolerance_of(
 }
 
 /// Reads a tolerance: a number, or a class of ISO 2768.
-fn tolerance(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftTolerance> {
+fn tolerance(
+    reader: &mut Reader<'_>,
+    what: &str,
+    value: &WrittenValue<'_>,
+) -> Option<DraftTolerance> {
     let place = value.span();
     let size = match value.get_ref().as_str() {
         Some(text) if names_class(text) => {
@@ -148,10 +152,10 @@ fn class(
 /// Reads `[tolerances]`.
 pub(crate) fn points<'v>(
     reader: &mut Reader<'_>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Vec<(Name<'v>, DraftTolerance)> {
     let entries = reader.entries("[tolerances]", "A = 0.05", value);
-    let read = |(name, value): (Name<'v>, &Written<'_>)| {
+    let read = |(name, value): (Name<'v>, &WrittenValue<'_>)| {
         let what = words().tolerance_of_point(&name.to_string());
         let read = tolerance(reader, &what, value)?;
         Some((name, read))
@@ -162,10 +166,10 @@ pub(crate) fn points<'v>(
 /// Reads `[clearances]`.
 pub(crate) fn pins<'v>(
     reader: &mut Reader<'_>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Vec<(Name<'v>, DraftClearance)> {
     let entries = reader.entries("[clearances]", "B = 0.02", value);
-    let read = |(name, value): (Name<'v>, &Written<'_>)| {
+    let read = |(name, value): (Name<'v>, &WrittenValue<'_>)| {
         let what = words().clearance_of_pin(&name.to_string());
         Some((name, clearance(reader, &what, value)?))
     };
@@ -176,7 +180,7 @@ pub(crate) fn pins<'v>(
 pub(crate) fn clearance(
     reader: &mut Reader<'_>,
     what: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<DraftClearance> {
     Some(DraftClearance {
         size: reader.measured(what, "", NumberRule::Deviation, value)?,

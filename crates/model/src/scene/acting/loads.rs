@@ -1,6 +1,6 @@
 //! Reads the loads on the mechanism and resolves the names in them.
 
-use crate::document::{Diagnostic, Written, items};
+use crate::document::{Diagnostic, WrittenValue, items};
 use crate::nearest::did_you_mean;
 use crate::scene::acting::profile;
 use crate::scene::elements::slide::DraftSlide;
@@ -82,7 +82,10 @@ impl LoadKind {
 }
 
 /// Reads the loads. Reports and omits those that could not be read.
-pub(crate) fn loads<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLoad<'v>> {
+pub(crate) fn loads<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftLoad<'v>> {
     let items = list(reader, "loads", LOAD, value);
     items.iter().filter_map(|v| load(reader, v)).collect()
 }
@@ -93,8 +96,8 @@ pub(crate) fn list<'v>(
     reader: &mut Reader<'_>,
     key: &str,
     example: ListExample,
-    value: &'v Written<'v>,
-) -> &'v [Written<'v>] {
+    value: &'v WrittenValue<'v>,
+) -> &'v [WrittenValue<'v>] {
     if let Some(items) = items(value) {
         return items;
     }
@@ -106,7 +109,7 @@ pub(crate) fn list<'v>(
     &[]
 }
 
-fn load<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Option<DraftLoad<'v>> {
+fn load<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Option<DraftLoad<'v>> {
     let names = [words().a_load(), words().the_load()];
     let table = &reader.open(names, keys::LOAD, &said(LOAD), value)?;
     reader.only_known(table);

@@ -1,7 +1,7 @@
 //! Reads functions of a coordinate, given as lists of knots `[coordinate, value]`.
 
 use crate::Profile;
-use crate::document::{Diagnostic, Written, items};
+use crate::document::{Diagnostic, WrittenValue, items};
 use crate::scene::numbers::reader::{ByteSpan, Reader};
 use crate::scene::table::KeyTable;
 use crate::wording::words;
@@ -73,7 +73,7 @@ pub(crate) fn over_time(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let words = words();
     let sentences = CurveSentences {
@@ -89,7 +89,7 @@ pub(crate) fn over_driver(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let words = words();
     let sentences = CurveSentences {
@@ -113,7 +113,7 @@ fn curve(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
     sentences: &CurveSentences<'_>,
 ) -> Option<Vec<[f64; 2]>> {
     let knots = knots(reader, what, sentences.form, example, value)?;
@@ -196,7 +196,7 @@ fn knots(
     what: &str,
     form: &str,
     example: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<Vec<Knot>> {
     let wanted = words().a_list_of_knots(form);
     let fault = match items(value) {
@@ -214,7 +214,7 @@ fn each(
     what: &str,
     form: &str,
     example: &str,
-    items: &[Written<'_>],
+    items: &[WrittenValue<'_>],
 ) -> Option<Vec<Knot>> {
     let mut knots = Vec::with_capacity(items.len());
     for (i, item) in items.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! Reads springs: between points, gas springs by their force over the length, and torsion springs
 //! between links.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::acting::loads::{ListExample, list, said};
 use crate::scene::acting::profile;
 use crate::scene::elements::link::DraftLink;
@@ -89,12 +89,15 @@ impl SpringKind {
 }
 
 /// Reads the springs. Reports and omits those that could not be read.
-pub(crate) fn springs<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSpring<'v>> {
+pub(crate) fn springs<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftSpring<'v>> {
     let items = list(reader, "springs", SPRING, value);
     items.iter().filter_map(|v| spring(reader, v)).collect()
 }
 
-fn spring<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Option<DraftSpring<'v>> {
+fn spring<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Option<DraftSpring<'v>> {
     let names = [words().a_spring(), words().the_spring()];
     let mut table = reader.open(names, keys::SPRING, &said(SPRING), value)?;
     reader.only_known(&table);

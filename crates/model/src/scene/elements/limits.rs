@@ -7,7 +7,7 @@
 //! ```
 
 use crate::angle::TURN;
-use crate::document::{Diagnostic, Written, items};
+use crate::document::{Diagnostic, WrittenValue, items};
 use crate::mechanism::MAX_TURNS;
 use crate::nearest::did_you_mean;
 use crate::scene::draft::SceneDraft;
@@ -40,7 +40,10 @@ pub(crate) struct DraftLimit<'t> {
 }
 
 /// Reads the section. Reports and omits limits that could not be read.
-pub(crate) fn limits<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftLimit<'v>> {
+pub(crate) fn limits<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftLimit<'v>> {
     let entries = reader.entries("[limits]", "{ r4 = [30, 150] }", value);
     entries
         .filter_map(|(name, value)| limit(reader, name, value))
@@ -50,7 +53,7 @@ pub(crate) fn limits<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec
 fn limit<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Option<DraftLimit<'v>> {
     let what = words().limit_called(&name.to_string());
     let (angle, ends) = if let Some(entries) = value.get_ref().as_table() {
@@ -86,13 +89,17 @@ fn limited_angle<'v>(
     (!is_lost).then_some((link?, from, ends?))
 }
 
-fn no_range(reader: &Reader<'_>, what: &str, value: &Written<'_>) -> Diagnostic {
+fn no_range(reader: &Reader<'_>, what: &str, value: &WrittenValue<'_>) -> Diagnostic {
     let fault = reader.mistyped(what, &words().a_pair(PAIR.0), value);
     fault.help(words().for_example(PAIR.1))
 }
 
 /// Reads the two ends of a range.
-pub(crate) fn range(reader: &mut Reader<'_>, what: &str, value: &Written<'_>) -> Option<DraftEnds> {
+pub(crate) fn range(
+    reader: &mut Reader<'_>,
+    what: &str,
+    value: &WrittenValue<'_>,
+) -> Option<DraftEnds> {
     let [low, high] = reader.two(what, PAIR.0, PAIR.1, value)?;
     let low = reader.number(&words().low_end_of(what), low);
     let high = reader.number(&words().high_end_of(what), high);

@@ -1,7 +1,7 @@
 //! Reads links.
 
 use crate::Vec2;
-use crate::document::{self, Diagnostic, Written};
+use crate::document::{self, Diagnostic, WrittenValue};
 use crate::scene::accuracy::deviations::{self, DraftTolerance};
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::elements::sighted;
@@ -79,7 +79,7 @@ pub(crate) struct Read<'t> {
 }
 
 /// Reads the section.
-pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Read<'v> {
+pub(crate) fn links<'v>(reader: &mut Reader<'_>, value: &'v WrittenValue<'v>) -> Read<'v> {
     let mut read = Read::default();
     let Some(entries) = reader.section("[links]", LINK, value) else {
         return read;
@@ -104,7 +104,7 @@ fn link<'v>(
     reader: &mut Reader<'_>,
     lost_points: &mut bool,
     name: Name<'v>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> DraftLink<'v> {
     let before = reader.found.len();
     let mut link = DraftLink {

@@ -1,7 +1,7 @@
 //! Reads named places, and the vectors between them.
 
 use crate::Vec2;
-use crate::document::Written;
+use crate::document::WrittenValue;
 use crate::scene::elements::sighted::{ReadPlace, Sighted};
 use crate::scene::numbers::reader::{Name, Reader, quoted};
 use crate::wording::words;
@@ -45,10 +45,10 @@ pub(crate) fn places<'v>(
     reader: &mut Reader<'_>,
     section: &str,
     what: &str,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Vec<PlacedPoint<'v>> {
     let entries = reader.entries(section, "{ A = [0, 0] }", value);
-    let place = |(name, value): (Name<'v>, &Written<'_>)| {
+    let place = |(name, value): (Name<'v>, &WrittenValue<'_>)| {
         let read = reader.pair(&format!("{what} {}", quoted(name.text)), value);
         PlacedPoint {
             name,
@@ -67,7 +67,10 @@ pub(crate) struct DraftVector<'t> {
 }
 
 /// Reads the section. Reports and omits vectors that could not be read.
-pub(crate) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftVector<'v>> {
+pub(crate) fn vectors<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftVector<'v>> {
     let entries = reader.entries("[vectors]", VECTOR, value);
     entries
         .filter_map(|(name, value)| vector(reader, name, value))
@@ -77,7 +80,7 @@ pub(crate) fn vectors<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Ve
 fn vector<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Option<DraftVector<'v>> {
     let what = words().vector_called(&quoted(name.text));
     let [tail, head] = reader.two(&what, words().a_pair_of_points(), r#"["D", "A"]"#, value)?;

@@ -1,7 +1,7 @@
 //! Reads the accepted misfit of redundant constraints.
 
 use crate::Vec2;
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::draft::SceneDraft;
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::keys;
@@ -20,7 +20,7 @@ pub(crate) struct Redundant {
 }
 
 /// Reads the section.
-pub(crate) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
+pub(crate) fn read(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Redundant {
     let names = ["[redundant]"; 2];
     let Some(table) = reader.open(names, keys::REDUNDANT, EXAMPLE, value) else {
         return Redundant::default();
@@ -28,7 +28,10 @@ pub(crate) fn read(reader: &mut Reader<'_>, value: &Written<'_>) -> Redundant {
     reader.only_known(&table);
     Redundant {
         misfit: reader.number_of(&table, "misfit").unwrap_or(0.0),
-        place: table.get("misfit").map(Written::span).unwrap_or_default(),
+        place: table
+            .get("misfit")
+            .map(WrittenValue::span)
+            .unwrap_or_default(),
     }
 }
 

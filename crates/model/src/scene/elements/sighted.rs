@@ -4,7 +4,7 @@
 //! points = { P = [150, 80], E = { from = "D", length = 180, angle = 72 } }
 //! ```
 
-use crate::document::{Diagnostic, Written, items};
+use crate::document::{Diagnostic, WrittenValue, items};
 use crate::scene::elements::link::DraftLink;
 use crate::scene::elements::points::PlacedPoint;
 use crate::scene::keys;
@@ -38,7 +38,7 @@ pub(crate) fn place<'v>(
     reader: &mut Reader<'_>,
     what: &str,
     owner: &Name<'_>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Option<ReadPlace<'v>> {
     if let Some(entries) = value.get_ref().as_table() {
         let table = KeyTable::new(what, keys::PLACE, entries, value.span());

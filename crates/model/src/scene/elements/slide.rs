@@ -1,6 +1,6 @@
 //! Reads slides and resolves the names in them.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::accuracy::deviations::{self, DraftTolerance};
 use crate::scene::keys;
 use crate::scene::names::Sort;
@@ -37,14 +37,21 @@ pub(crate) enum Through<'t> {
 }
 
 /// Reads the section.
-pub(crate) fn slides<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftSlide<'v>> {
+pub(crate) fn slides<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftSlide<'v>> {
     let slides = reader.entries("[slides]", SLIDE, value);
     slides
         .map(|(name, value)| slide(reader, name, value))
         .collect()
 }
 
-fn slide<'v>(reader: &mut Reader<'_>, name: Name<'v>, value: &'v Written<'v>) -> DraftSlide<'v> {
+fn slide<'v>(
+    reader: &mut Reader<'_>,
+    name: Name<'v>,
+    value: &'v WrittenValue<'v>,
+) -> DraftSlide<'v> {
     let of = words().slide_called(&name.to_string());
     let mut slide = DraftSlide {
         name,

@@ -1,6 +1,6 @@
 //! Reads the driver.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::scene::elements::limits::{self, DraftEnds};
 use crate::scene::inputs::timed_motion::{self, MotionFrame};
@@ -84,7 +84,7 @@ pub(crate) fn driver<'v>(
     reader: &mut Reader<'_>,
     unit: Unit,
     key: &ByteSpan,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Option<DraftDriver<'v>> {
     let example = format!("{{ {} }}", TURNED.example);
     let names = ["[driver]", words().the_driver()];
@@ -155,7 +155,7 @@ pub(crate) fn seat<'v>(
     reader: &mut Reader<'_>,
     of: &str,
     kind: RateKind,
-    given: Option<&'v Written<'v>>,
+    given: Option<&'v WrittenValue<'v>>,
 ) -> Option<Name<'v>> {
     let given = given?;
     let from = reader.string(&words().key_of("from", of), given)?;

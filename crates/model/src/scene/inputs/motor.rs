@@ -1,6 +1,6 @@
 //! The motor that is to drive a scene.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::inputs::input::{self, DraftInput, PUSHED, TURNED};
 use crate::scene::numbers::rate;
 use crate::scene::numbers::rate::{Degree, RateKind};
@@ -56,7 +56,7 @@ pub(crate) fn read(
     reader: &mut Reader<'_>,
     unit: Unit,
     driven: Option<&DraftInput<'_>>,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<Motor> {
     let names = ["[motor]", words().the_motor()];
     let mut table = reader.open(names, keys::MOTOR, EXAMPLE, value)?;
@@ -114,7 +114,7 @@ fn misfits(reader: &mut Reader<'_>, table: &KeyTable<'_>) {
 
 /// Checks the relations between the numbers.
 fn check(reader: &mut Reader<'_>, table: &KeyTable<'_>, rated: &str, motor: &Motor) {
-    let place = |key: &str| table.get(key).map(Written::span).unwrap_or_default();
+    let place = |key: &str| table.get(key).map(WrittenValue::span).unwrap_or_default();
     let mut fault = |span: ByteSpan, message: String, label: &str, help: &str| {
         reader.report(Diagnostic::new(message).at(span, label).help(help));
     };

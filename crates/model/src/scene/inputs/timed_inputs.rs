@@ -1,6 +1,6 @@
 //! Reads the inputs that follow the driver.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::scene::acting::profile;
 use crate::scene::inputs::input::{DraftInput, seat};
 use crate::scene::keys;
@@ -20,7 +20,7 @@ pub(crate) struct DraftTimed<'t> {
     pub(crate) name: Name<'t>,
     law: DraftInputLaw,
     /// The link that carries its motor, as written; `None` for the ground.
-    from: Option<&'t Written<'t>>,
+    from: Option<&'t WrittenValue<'t>>,
 }
 
 #[derive(Debug)]
@@ -36,7 +36,10 @@ enum DraftInputLaw {
 }
 
 /// Reads the section.
-pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftTimed<'v>> {
+pub(crate) fn read<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftTimed<'v>> {
     let entries = reader.entries("[inputs]", INPUT, value);
     entries
         .filter_map(|(name, value)| input(reader, name, value))
@@ -46,7 +49,7 @@ pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<D
 fn input<'v>(
     reader: &mut Reader<'_>,
     name: Name<'v>,
-    value: &'v Written<'v>,
+    value: &'v WrittenValue<'v>,
 ) -> Option<DraftTimed<'v>> {
     let of = words().input_called(&name.to_string());
     let table = reader.open([&of, &of], keys::TIMED, INPUT, value)?;
@@ -67,7 +70,7 @@ fn input<'v>(
 fn by_table(
     reader: &mut Reader<'_>,
     table: &KeyTable<'_>,
-    over: &Written<'_>,
+    over: &WrittenValue<'_>,
 ) -> Option<DraftInputLaw> {
     let place = over.span();
     let mut others = table.names();

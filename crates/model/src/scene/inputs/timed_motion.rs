@@ -1,6 +1,6 @@
 //! Reads the driver's motion over time, step by step.
 
-use crate::document::{Diagnostic, Written, items};
+use crate::document::{Diagnostic, WrittenValue, items};
 use crate::nearest::did_you_mean;
 use crate::scene::acting::profile;
 use crate::scene::elements::limits::DraftEnds;
@@ -28,7 +28,7 @@ pub(crate) fn read(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
     what: &str,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<MotionLaw> {
     let (wanted, example) = (words().a_list_of_steps(), format!("motion = [{STEP}, ...]"));
     let fault = match items(value) {
@@ -44,7 +44,7 @@ pub(crate) fn read(
 fn steps(
     reader: &mut Reader<'_>,
     frame: &MotionFrame<'_>,
-    items: &[Written<'_>],
+    items: &[WrittenValue<'_>],
     place: &ByteSpan,
 ) -> Option<MotionLaw> {
     let mut steps = Vec::with_capacity(items.len());
@@ -77,7 +77,7 @@ fn stays_in_range(
     frame: &MotionFrame<'_>,
     number: usize,
     to: Option<f64>,
-    item: &Written<'_>,
+    item: &WrittenValue<'_>,
 ) {
     let (Some(range), Some(to)) = (frame.range, to) else {
         return;
@@ -95,7 +95,7 @@ fn step(
     reader: &mut Reader<'_>,
     number: usize,
     from: Option<f64>,
-    value: &Written<'_>,
+    value: &WrittenValue<'_>,
 ) -> Option<TimedStep> {
     let of = words().step_of_motion(number);
     let table = &reader.open([&of, &of], keys::STEP, STEP, value)?;

@@ -1,6 +1,6 @@
 //! Reads the section `[figures]`: values computed from others, by name and formula.
 
-use crate::document::{Diagnostic, Written};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::expression::{self, ExpressionTree, FormulaError};
 use crate::scene::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use crate::wording::words;
@@ -66,16 +66,23 @@ pub(crate) struct DraftFigure<'t> {
 }
 
 /// Reads the section, and reports every text that is not a formula.
-pub(crate) fn figures<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftFigure<'v>> {
+pub(crate) fn figures<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftFigure<'v>> {
     let entries = reader.entries("[figures]", FIGURE, value);
-    let read = |(name, value): (Name<'v>, &Written<'_>)| {
+    let read = |(name, value): (Name<'v>, &WrittenValue<'_>)| {
         let formula = formula(reader, &name, value);
         DraftFigure { name, formula }
     };
     entries.map(read).collect()
 }
 
-fn formula(reader: &mut Reader<'_>, name: &Name<'_>, value: &Written<'_>) -> Option<NamedFormula> {
+fn formula(
+    reader: &mut Reader<'_>,
+    name: &Name<'_>,
+    value: &WrittenValue<'_>,
+) -> Option<NamedFormula> {
     let written = reader.string(&words().figure_called(&name.to_string()), value)?;
     let place = FormulaPlace::of(reader, &written);
     match expression::parse(written.text) {

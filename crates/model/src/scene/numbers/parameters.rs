@@ -1,6 +1,6 @@
 //! Reads `[parameters]`: named numbers in any order, which may be formulas of each other.
 
-use crate::document::{Diagnostic, NamedNumbers, Written};
+use crate::document::{Diagnostic, NamedNumbers, WrittenValue};
 use crate::expression::{self, Dimension, ExpressionTree, MeasuredNumber, Wide};
 use crate::scene::numbers::figures::FormulaPlace;
 use crate::scene::numbers::reader::{Name, Reader};
@@ -40,7 +40,10 @@ struct WaitingParameter<'v> {
 }
 
 /// Reads the section and makes its names known to all formulas.
-pub(crate) fn read<'v>(reader: &mut Reader<'_>, value: &'v Written<'v>) -> Vec<DraftParameter<'v>> {
+pub(crate) fn read<'v>(
+    reader: &mut Reader<'_>,
+    value: &'v WrittenValue<'v>,
+) -> Vec<DraftParameter<'v>> {
     let mut draft = Vec::new();
     let mut waiting = Vec::new();
     for (name, value) in reader.entries("[parameters]", EXAMPLE, value) {
@@ -78,7 +81,11 @@ fn what(name: &Name<'_>) -> String {
     words().parameter_called(&name.to_string())
 }
 
-fn number(reader: &mut Reader<'_>, name: &Name<'_>, value: &Written<'_>) -> Option<MeasuredNumber> {
+fn number(
+    reader: &mut Reader<'_>,
+    name: &Name<'_>,
+    value: &WrittenValue<'_>,
+) -> Option<MeasuredNumber> {
     let number = reader.number(&what(name), value)?;
     let digits = reader.text().get(value.span()).unwrap_or("");
     // Whole numbers in another base are doubles.

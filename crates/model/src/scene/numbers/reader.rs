@@ -3,7 +3,7 @@
 use crate::Vec2;
 use crate::arithmetic::Decimal;
 pub(crate) use crate::document::{ByteSpan, Name, Reader, quoted};
-use crate::document::{Diagnostic, Written, has_decimal_comma, items, number_of};
+use crate::document::{Diagnostic, WrittenValue, has_decimal_comma, items, number_of};
 use crate::expression;
 use crate::scene::numbers::numeral::{is_rounded, number_length};
 use crate::wording::words;
@@ -19,7 +19,7 @@ const TWICE_ROUNDED: f64 = 1e-29;
 
 impl Reader<'_> {
     /// Reads a finite number of permitted size.
-    pub fn number(&mut self, what: &str, value: &Written<'_>) -> Option<f64> {
+    pub fn number(&mut self, what: &str, value: &WrittenValue<'_>) -> Option<f64> {
         let place = value.span();
         let number = match (number_of(self.text(), value), value.get_ref().as_str()) {
             (Some(number), _) => {
@@ -74,7 +74,7 @@ impl Reader<'_> {
     }
 
     /// Reads a pair `[x, y]`.
-    pub(crate) fn pair(&mut self, what: &str, value: &Written<'_>) -> Option<Vec2> {
+    pub(crate) fn pair(&mut self, what: &str, value: &WrittenValue<'_>) -> Option<Vec2> {
         let [x, y] = self.two(what, "[x, y]", "[12.5, 0]", value)?;
         let x = self.number(&words().part_of("x", what), x);
         let y = self.number(&words().part_of("y", what), y);
@@ -87,8 +87,8 @@ impl Reader<'_> {
         what: &str,
         form: &str,
         example: &str,
-        value: &'v Written<'v>,
-    ) -> Option<[&'v Written<'v>; 2]> {
+        value: &'v WrittenValue<'v>,
+    ) -> Option<[&'v WrittenValue<'v>; 2]> {
         let Some(items) = items(value) else {
             let fault = self.mistyped(what, &words().a_pair(form), value);
             self.report(fault.help(words().for_example(example)));

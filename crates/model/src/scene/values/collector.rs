@@ -2,7 +2,7 @@
 
 use super::{Value, ValueOwner};
 use crate::Input;
-use crate::document::{NamedNumbers, Written, entries, items, number_of};
+use crate::document::{NamedNumbers, WrittenValue, entries, items, number_of};
 use crate::scene::keys::{self, KeyKind, NumberMeasure, SceneKey};
 use crate::scene::numbers::measure::{Measure, MeasureUnits};
 use crate::scene::numbers::rate::{self, Degree, WrittenRate};
@@ -70,7 +70,7 @@ impl Collector<'_> {
         &mut self,
         key: &SceneKey,
         (of, name): (&str, &str),
-        value: &Written<'_>,
+        value: &WrittenValue<'_>,
         again: &str,
     ) {
         let name = join(of, name);
@@ -152,7 +152,7 @@ impl Collector<'_> {
     }
 
     /// Collects a limit of a slide or link, named after it, or of the angle of a link.
-    fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &Written<'_>) {
+    fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &WrittenValue<'_>) {
         let called = format!("{name} limit");
         if let Some(table) = value.get_ref().as_table() {
             let link = table.get("link").and_then(|link| link.get_ref().as_str());
@@ -168,7 +168,7 @@ impl Collector<'_> {
         });
     }
 
-    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &Written<'_>) {
+    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
         for (end, item) in ["low", "high"].into_iter().zip(list(value)) {
             self.number(format!("{name} {end}{behind}"), size, item);
         }
@@ -181,7 +181,7 @@ impl Collector<'_> {
         self.owner = before;
     }
 
-    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &Written<'_>) {
+    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &WrittenValue<'_>) {
         if let Some(table) = value.get_ref().as_table() {
             self.table(keys, name, table, "");
         }
@@ -229,7 +229,7 @@ impl Collector<'_> {
         what: &str,
         again: &str,
         (sizes, called): ([NumberMeasure; 2], &str),
-        knots: &Written<'_>,
+        knots: &WrittenValue<'_>,
     ) {
         for (i, knot) in list(knots).enumerate() {
             let parts = list(knot).zip(["at", called]).zip(sizes);
@@ -251,21 +251,21 @@ impl Collector<'_> {
         }
     }
 
-    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &Written<'_>) {
+    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
         for (axis, item) in ["x", "y"].into_iter().zip(list(value)) {
             self.number(format!("{name} {axis}{behind}"), size, item);
         }
     }
 
     /// Collects a place on a link: coordinates, or a length and an angle.
-    fn place(&mut self, name: &str, again: &str, value: &Written<'_>) {
+    fn place(&mut self, name: &str, again: &str, value: &WrittenValue<'_>) {
         match value.get_ref().as_table() {
             Some(table) => self.table(keys::PLACE, name, table, again),
             None => self.pair(name, again, NumberMeasure::Of(Measure::Coordinate), value),
         }
     }
 
-    fn number(&mut self, name: String, size: NumberMeasure, value: &Written<'_>) {
+    fn number(&mut self, name: String, size: NumberMeasure, value: &WrittenValue<'_>) {
         let place = value.span();
         let (number, formula, dimension) =
             match (number_of(self.text, value), value.get_ref().as_str()) {
@@ -306,7 +306,7 @@ impl Collector<'_> {
 
     /// Collects a quoted number with a unit. The quotes stay unchanged, unless the text contains
     /// escapes.
-    fn rate(&mut self, name: &str, degree: Degree, value: &Written<'_>) {
+    fn rate(&mut self, name: &str, degree: Degree, value: &WrittenValue<'_>) {
         let measure = Measure::of_rate(degree, self.turns);
         let (Some(text), MeasureUnits::Rate(kind, degree)) =
             (value.get_ref().as_str(), measure.units(self.unit))
@@ -349,7 +349,7 @@ impl Collector<'_> {
 }
 
 /// Returns the items of a list; none for another value.
-fn list<'v>(value: &'v Written<'v>) -> impl Iterator<Item = &'v Written<'v>> {
+fn list<'v>(value: &'v WrittenValue<'v>) -> impl Iterator<Item = &'v WrittenValue<'v>> {
     items(value).into_iter().flatten()
 }
 
@@ -363,7 +363,7 @@ fn join(of: &str, name: &str) -> String {
 }
 
 /// Visits the entries of a table; does nothing for another value.
-fn each<'v>(value: &'v Written<'v>, mut take: impl FnMut(&str, &'v Written<'v>)) {
+fn each<'v>(value: &'v WrittenValue<'v>, mut take: impl FnMut(&str, &'v WrittenValue<'v>)) {
     let table = value.get_ref().as_table();
     for (name, value) in table.into_iter().flat_map(entries) {
         take(name.text, value);
