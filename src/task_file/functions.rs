@@ -1,11 +1,11 @@
 //! Reads function tasks, given by pairs or by a formula over a range.
 
-use super::{Reader, WrittenTask, lacks, measured, rows};
-use crate::document::{Diagnostic, Lenient, Misplaced};
-use crate::expression::{Dimension, MeasuredNumber, Wide};
+use super::{Reader, keys, lacks, rows};
+use crate::document::{Diagnostic, WrittenValue};
+use crate::expression::{MeasuredNumber, Wide};
+use crate::scene::{KeyTable, NumberRule};
 use crate::synthesis::{FunctionTask, Given, Output, functions::chebyshev_pairs};
 use crate::wording::words;
-use serde::Deserialize;
 
 const PAIRS: &str = "pairs = [[0, 0], [30, 42], [60, 71]]";
 const FUNCTION: &str = r#"{ y = "log10(x)", from = 1, to = 2, points = 3 }"#;
@@ -14,23 +14,6 @@ const SIDE: &str = "{ swing = 60, start = 45 }";
 const DENSE: u32 = 180;
 /// Maximum number of pairs.
 const MAX_COUNT: usize = 1000;
-
-/// `function` as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct WrittenFunction {
-    y: Option<Lenient<String>>,
-    from: Option<Lenient<f64>>,
-    to: Option<Lenient<f64>>,
-    points: Option<Lenient<f64>>,
-}
-
-/// `crank` or `output` as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct WrittenSide {
-    start: Option<Lenient<f64>>,
-    swing: Option<Lenient<f64>>,
-    scale: Option<Lenient<f64>>,
-}
 
 /// The pairs of a function, and a denser sample between them.
 #[derive(Default)]
@@ -50,25 +33,22 @@ impl FunctionCourse {
 
 pub(super) fn function(
     reader: &mut Reader<'_>,
-    file: &WrittenTask,
+    file: &KeyTable<'_>,
     slides: bool,
 ) -> Option<FunctionTask> {
-    let course = match (&file.pairs, &file.function) {
-        (Some(written), None) => pairs(reader, written)?,
-        (None, Some(written)) => formula(reader, written)?,
+    let (course, place) = match (file.get("pairs"), file.get("function")) {
+        (Some(written), None) => (pairs(reader, file, written)?, written.span()),
+        (None, Some(written)) => (formula(reader, written)?, written.span()),
         (None, None) => return lacks(reader, "function", "pairs", PAIRS),
         (Some(_), Some(written)) => {
-            reader
-                .report(Diagnostic::new(words().pairs_and_function()).at(written.span.clone(), ""));
+            reader.report(Diagnostic::new(words().pairs_and_function()).at(written.span(), ""));
             return None;
         }
     };
     if let Some(y) = course.stands_at() {
-        let place = file.pairs.as_ref().map(|pairs| pairs.span.clone());
-        let place = place.or_else(|| file.function.as_ref().map(|formula| formula.span.clone()));
         reader.report(
             Diagnostic::new(words().output_stands_still(&y.to_string()))
-                .at(place.unwrap_or_default(), "")
+                .at(place, "")
                 .help(words().let_y_change()),
         );
         return None;
@@ -80,30 +60,14 @@ pub(super) fn function(
         first,
         span: span(all(), part),
     });
-    let travel = match slides {
-        true => Dimension::LENGTH,
-        false => Dimension::DEGREES,
-    };
-    let angle = Dimension::DEGREES;
-    let crank = side(reader, "crank", file.crank.as_ref(), &courses[0], angle)?;
-    let output = side(reader, "output", file.output.as_ref(), &courses[1], travel)?;
-    let size = match &file.size {
+    let crank = side(reader, file, "crank", &courses[0], true)?;
+    let output = side(reader, file, "output", &courses[1], !slides)?;
+    let size = match file.get("size") {
         None => 100.0,
         Some(value) => {
-            let size = measured(reader, "`size`", value, Some(Dimension::LENGTH))?;
-            if !(size > 0.0) {
-                reader.report(
-                    Diagnostic::new(words().must_be(
-                        "`size`",
-                        words().positive_number(),
-                        &reader.literal(&value.span),
-                    ))
-                    .at(
-                        value.span.clone(),
-                        words().expected(words().positive_number()),
-                    ),
-                );
-            }
+            let (what, measure) = (file.what(reader, "size"), file.measure("size"));
+            let size = reader.in_units(&what, measure, value)?;
+            reader.permits(&what, "size", NumberRule::PositiveNumber, size, value);
             size
         }
     };
@@ -120,12 +84,16 @@ pub(super) fn function(
     })
 }
 
-fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCourse> {
-    let rows = rows(reader, "pairs", ("[x, y]", "[30, 42]"), [None; 2], written)?;
+fn pairs(
+    reader: &mut Reader<'_>,
+    file: &KeyTable<'_>,
+    written: &WrittenValue<'_>,
+) -> Option<FunctionCourse> {
+    let rows = rows(reader, file, "pairs", ("[x, y]", "[30, 42]"), [None; 2])?;
     if !(3..=MAX_COUNT).contains(&rows.len()) {
         reader.report(
             Diagnostic::new(words().count_of_pairs(rows.len(), MAX_COUNT))
-                .at(written.span.clone(), "")
+                .at(written.span(), "")
                 .help(words().for_example(PAIRS)),
         );
         return None;
@@ -146,33 +114,27 @@ fn pairs(reader: &mut Reader<'_>, written: &super::RowList) -> Option<FunctionCo
     })
 }
 
-fn formula(reader: &mut Reader<'_>, value: &Lenient<WrittenFunction>) -> Option<FunctionCourse> {
-    let table = reader.table("`function`", FUNCTION, value)?;
-    reader.only("`function`", value);
-    let mut number = |key: &str, given: Option<&Lenient<f64>>| match given {
-        Some(given) => reader.number(&words().key_of(key, "`function`"), given),
-        None => lacks(reader, "function", key, &format!("function = {FUNCTION}")),
+fn formula(reader: &mut Reader<'_>, value: &WrittenValue<'_>) -> Option<FunctionCourse> {
+    let names = ["`function`"; 2];
+    let table = &reader.open(names, keys::FUNCTION, FUNCTION, value)?;
+    reader.only_known(table);
+    let example = format!("function = {FUNCTION}");
+    let mut number = |key: &str| match table.has(key) {
+        true => reader.number_of(table, key),
+        false => lacks(reader, "function", key, &example),
     };
-    let (from, to) = (
-        number("from", table.from.as_ref()),
-        number("to", table.to.as_ref()),
-    );
-    let count = match &table.points {
-        Some(count) => reader.number(&words().key_of("points", "`function`"), count),
-        None => Some(3.0),
-    };
-    let Some(y) = &table.y else {
-        return lacks(reader, "function", "y", &format!("function = {FUNCTION}"));
-    };
-    let y = reader.string(&words().key_of("y", "`function`"), y)?;
+    let (from, to) = (number("from"), number("to"));
+    let count = reader.number_or(table, "points", 3.0);
+    if !table.has("y") {
+        return lacks(reader, "function", "y", &example);
+    }
+    let y = reader.text_of(table, "y")?;
     let (from, to, count) = (from?, to?, count?);
     let points = usize::try_from(count as i64).unwrap_or(0);
     let is_range = to > from && (to - from).is_finite();
     let is_count = (3..=MAX_COUNT).contains(&points) && points as f64 == count;
     if !(is_range && is_count) {
-        reader.report(
-            Diagnostic::new(words().range_of_function(MAX_COUNT)).at(value.span.clone(), ""),
-        );
+        reader.report(Diagnostic::new(words().range_of_function(MAX_COUNT)).at(value.span(), ""));
         return None;
     }
     let mut at = |x: f64| {
@@ -213,36 +175,31 @@ fn span<'p>(points: impl Iterator<Item = &'p [f64; 2]>, part: usize) -> f64 {
 /// Reads datum and scale of one side. The scale defaults to 1; without a start the datum is free.
 fn side(
     reader: &mut Reader<'_>,
+    file: &KeyTable<'_>,
     key: &str,
-    value: Option<&Lenient<WrittenSide>>,
     course: &ValueCourse,
-    measure: Dimension,
+    turns: bool,
 ) -> Option<(Given, Given)> {
-    let Some(value) = value else {
+    let Some(value) = file.get(key) else {
         return Some((Given::Free, Given::Value(1.0)));
     };
     let of = format!("`{key}`");
-    let table = reader.table(&of, SIDE, value)?;
-    reader.only(&of, value);
-    if let (Some(_), Some(scale)) = (&table.swing, &table.scale) {
-        reader.report(Diagnostic::new(words().swing_and_scale()).at(scale.span.clone(), ""));
-        return None;
-    }
-    let mut number = |key: &str, given: &Lenient<f64>, measure: Option<Dimension>| {
-        measured(reader, &words().key_of(key, &of), given, measure)
+    let mut table = reader.open([&of, &of], keys::SIDE, SIDE, value)?;
+    table.turns = turns;
+    reader.only_known(&table);
+    let scale = match (table.has("swing"), table.get("scale")) {
+        (true, Some(scale)) => {
+            reader.report(Diagnostic::new(words().swing_and_scale()).at(scale.span(), ""));
+            return None;
+        }
+        (true, None) => Given::Value(reader.quantity(&table, "swing")? / course.span),
+        (false, Some(scale)) if scale.get_ref().as_str() == Some("free") => Given::Free,
+        (false, Some(_)) => Given::Value(reader.quantity(&table, "scale")?),
+        (false, None) => Given::Value(1.0),
     };
-    let measure = Some(measure);
-    let scale = match (&table.swing, &table.scale) {
-        (Some(swing), _) => Given::Value(number("swing", swing, measure)? / course.span),
-        (None, Some(scale)) => match &scale.read {
-            Err(Misplaced::Text(text)) if text == "free" => Given::Free,
-            _ => Given::Value(number("scale", scale, None)?),
-        },
-        (None, None) => Given::Value(1.0),
-    };
-    let start = match &table.start {
-        Some(start) => Some(number("start", start, measure)?),
-        None => None,
+    let start = match table.has("start") {
+        true => Some(reader.quantity(&table, "start")?),
+        false => None,
     };
     let rule = match (start, scale) {
         (Some(_), Given::Free) => words().start_wants_scale(),
@@ -255,6 +212,6 @@ fn side(
             ));
         }
     };
-    reader.report(Diagnostic::new(rule).at(value.span.clone(), ""));
+    reader.report(Diagnostic::new(rule).at(value.span(), ""));
     None
 }

@@ -1,10 +1,10 @@
 //! Reads pose and path tasks.
 
-use super::{ByteSpan, Reader, WrittenTask, lacks, numbers, points, rows, same_twice};
+use super::{ByteSpan, Reader, lacks, numbers, points, rows, same_twice};
 use crate::Vec2;
 use crate::angle::TURN;
-use crate::document::{Diagnostic, Lenient};
-use crate::expression::Dimension;
+use crate::document::{Diagnostic, items};
+use crate::scene::{KeyTable, Measure};
 use crate::synthesis::{PathTask, Pose, PoseTask};
 use crate::wording::words;
 
@@ -16,20 +16,20 @@ const MAX_COUNT: usize = 5;
 /// Maximum number of points of a path.
 const MAX_POINTS: usize = 1000;
 
-pub(super) fn poses(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PoseTask> {
-    let Some(written) = &file.poses else {
+pub(super) fn poses(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PoseTask> {
+    let Some(written) = file.get("poses") else {
         return lacks(reader, "poses", "poses", POSES);
     };
     let form = ("[x, y, angle]", "[120, 40, 35]");
-    let measures = [Dimension::LENGTH, Dimension::LENGTH, Dimension::DEGREES];
-    let read = rows(reader, "poses", form, measures.map(Some), written);
-    let pivots = given(reader, "pivots", file.pivots.as_ref());
-    let pins = given(reader, "pins", file.pins.as_ref());
+    let measures = [Measure::Coordinate, Measure::Coordinate, Measure::Angle];
+    let read = rows(reader, file, "poses", form, measures.map(Some));
+    let pivots = given(reader, file, "pivots");
+    let pins = given(reader, file, "pins");
     let (read, pivots, pins) = (read?, pivots?, pins?);
     if !(MIN_COUNT..=MAX_COUNT).contains(&read.len()) {
         reader.report(
             Diagnostic::new(words().count_of_poses(read.len()))
-                .at(written.span.clone(), "")
+                .at(written.span(), "")
                 .help(words().poses_that_methods_take()),
         );
         return None;
@@ -79,19 +79,19 @@ fn same_pose(one: &[f64; 3], other: &[f64; 3]) -> bool {
     one[..2] == other[..2] && turned
 }
 
-pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTask> {
-    let Some(written) = &file.points else {
+pub(super) fn path(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<PathTask> {
+    let Some(written) = file.get("points") else {
         return lacks(reader, "path", "points", POINTS);
     };
-    let read = points(reader, "points", Some(written));
-    let pivots = given(reader, "pivots", file.pivots.as_ref());
-    let closed = file.closed.as_ref();
+    let read = points(reader, file, "points");
+    let pivots = given(reader, file, "pivots");
+    let closed = file.get("closed");
     let closed = closed.and_then(|closed| reader.boolean("`closed`", closed));
     let (read, pivots) = (read?, pivots?);
     if read.len() < 2 || read.len() > MAX_POINTS {
         reader.report(
             Diagnostic::new(words().count_of_points(read.len(), MAX_POINTS))
-                .at(written.span.clone(), "")
+                .at(written.span(), "")
                 .help(words().for_example(POINTS)),
         );
         return None;
@@ -116,30 +116,20 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
                 .at(place.clone(), words().one_too_many()),
         );
     }
-    let turns = match &file.turns {
-        None => None,
-        Some(written) => {
-            let degrees = Some(Dimension::DEGREES);
-            Some(as_many(reader, "turns", written, degrees, read.len())?)
-        }
+    let turns = match file.has("turns") {
+        false => None,
+        true => Some(as_many(reader, file, "turns", read.len())?),
     };
-    if let (Some(turns), Some(written)) = (&turns, &file.turns) {
-        turns_fit(reader, turns, written, closed == Some(true));
+    if let (Some(turns), Some(written)) = (&turns, file.get("turns")) {
+        turns_fit(reader, turns, &written.span(), closed == Some(true));
     }
-    let weights = match &file.weights {
+    let weights = match file.get("weights") {
         None => vec![1.0; read.len()],
         Some(written) => {
-            let weights = as_many(
-                reader,
-                "weights",
-                written,
-                Some(Dimension::NUMBER),
-                read.len(),
-            )?;
+            let weights = as_many(reader, file, "weights", read.len())?;
             if !weights.iter().all(|weight| *weight > 0.0) {
-                reader.report(
-                    Diagnostic::new(words().weights_are_positive()).at(written.span.clone(), ""),
-                );
+                let fault = Diagnostic::new(words().weights_are_positive());
+                reader.report(fault.at(written.span(), ""));
             }
             weights
         }
@@ -156,18 +146,16 @@ pub(super) fn path(reader: &mut Reader<'_>, file: &WrittenTask) -> Option<PathTa
 /// Reads as many numbers as there are points.
 fn as_many(
     reader: &mut Reader<'_>,
+    file: &KeyTable<'_>,
     key: &str,
-    written: &super::NumberList,
-    measure: Option<Dimension>,
     count: usize,
 ) -> Option<Vec<f64>> {
-    let read = numbers(reader, key, written, measure)?;
+    let (read, written) = (numbers(reader, file, key)?, file.get(key)?);
     if read.len() == count {
         return Some(read);
     }
     reader.report(
-        Diagnostic::new(words().one_for_each_point(key, count, read.len()))
-            .at(written.span.clone(), ""),
+        Diagnostic::new(words().one_for_each_point(key, count, read.len())).at(written.span(), ""),
     );
     None
 }
@@ -175,15 +163,15 @@ fn as_many(
 /// Reports a second pivot if `linkages` contains slider-cranks only.
 pub(super) fn slider_cranks_have_one_pivot(
     reader: &mut Reader<'_>,
-    file: &WrittenTask,
+    file: &KeyTable<'_>,
     linkages: &ByteSpan,
 ) {
     // An invalid list of points is reported where it is read.
-    let pivots = file.pivots.as_ref().and_then(|pivots| pivots.get());
+    let pivots = file.get("pivots").and_then(items);
     if let Some(second) = pivots.and_then(|pivots| pivots.get(1)) {
         reader.report(
             Diagnostic::new(words().slider_crank_has_one_pivot())
-                .at(second.span.clone(), words().one_too_many())
+                .at(second.span(), words().one_too_many())
                 .and(linkages.clone(), words().slider_cranks_alone())
                 .help(words().take_out_one_pivot()),
         );
@@ -191,12 +179,8 @@ pub(super) fn slider_cranks_have_one_pivot(
 }
 
 /// Reads given pivots or pins, and reports repeated ones.
-fn given(
-    reader: &mut Reader<'_>,
-    key: &str,
-    value: Option<&super::RowList>,
-) -> Option<Vec<(Vec2, ByteSpan)>> {
-    let read = points(reader, key, value)?;
+fn given(reader: &mut Reader<'_>, file: &KeyTable<'_>, key: &str) -> Option<Vec<(Vec2, ByteSpan)>> {
+    let read = points(reader, file, key)?;
     for (again, (at, place)) in read.iter().enumerate() {
         let first = read[..again].iter().position(|(before, _)| before == at);
         if let Some(first) = first {
@@ -209,12 +193,7 @@ fn given(
 
 /// Checks that the crank's turns start at the first point with 0 and are monotonic; for a closed
 /// path they must stay below a full turn.
-fn turns_fit(
-    reader: &mut Reader<'_>,
-    turns: &[f64],
-    written: &Lenient<Vec<Lenient<f64>>>,
-    closed: bool,
-) {
+fn turns_fit(reader: &mut Reader<'_>, turns: &[f64], written: &ByteSpan, closed: bool) {
     let steps: Vec<f64> = turns.windows(2).map(|two| two[1] - two[0]).collect();
     let one_way = steps.iter().all(|step| *step > 0.0) || steps.iter().all(|step| *step < 0.0);
     let fault = if turns.first() != Some(&0.0) {
@@ -228,7 +207,7 @@ fn turns_fit(
     };
     reader.report(
         Diagnostic::new(fault)
-            .at(written.span.clone(), "")
+            .at(written.clone(), "")
             .help(words().for_example("turns = [0, 30, 60]")),
     );
 }

@@ -14,24 +14,20 @@
 
 mod examples;
 mod functions;
+mod keys;
 mod kinds;
 mod wishes;
 
 pub use examples::ExampleTask;
 
 use crate::Vec2;
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Misplaced, Name, Reader};
-use crate::expression::Dimension;
+use crate::document::{
+    self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader, WrittenValue, items,
+};
 use crate::nearest::did_you_mean;
-use crate::scene::{self, MAX_FILE_SIZE, Unit};
+use crate::scene::{self, KeyTable, MAX_FILE_SIZE, Measure, Unit};
 use crate::synthesis::{Task, TaskKind};
 use crate::wording::words;
-use serde::Deserialize;
-
-/// A list of numbers as written.
-type NumberList = Lenient<Vec<Lenient<f64>>>;
-/// A list of lists of numbers.
-type RowList = Lenient<Vec<NumberList>>;
 
 /// A task with its names.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,30 +42,6 @@ pub struct TaskFile {
     pub unit: Unit,
     /// The task itself.
     pub task: Task,
-}
-
-/// A task as written in its file.
-#[derive(Debug, Deserialize)]
-struct WrittenTask {
-    kind: Option<Lenient<String>>,
-    name: Option<Lenient<String>>,
-    source: Option<Lenient<String>>,
-    note: Option<Lenient<String>>,
-    unit: Option<Lenient<String>>,
-    linkages: Option<Lenient<Vec<Lenient<String>>>>,
-    poses: Option<RowList>,
-    points: Option<RowList>,
-    pairs: Option<RowList>,
-    pivots: Option<RowList>,
-    pins: Option<RowList>,
-    closed: Option<Lenient<bool>>,
-    turns: Option<NumberList>,
-    weights: Option<NumberList>,
-    function: Option<Lenient<functions::WrittenFunction>>,
-    crank: Option<Lenient<functions::WrittenSide>>,
-    output: Option<Lenient<functions::WrittenSide>>,
-    size: Option<Lenient<f64>>,
-    wishes: Option<Lenient<wishes::WrittenWishes>>,
 }
 
 /// The kinds of tasks.
@@ -89,15 +61,6 @@ impl WrittenKind {
             WrittenKind::Poses => "poses",
             WrittenKind::Function => "function",
             WrittenKind::Path => "path",
-        }
-    }
-
-    /// Returns its own keys, which not every kind has.
-    fn keys(self) -> &'static [&'static str] {
-        match self {
-            WrittenKind::Poses => &["poses", "pivots", "pins"],
-            WrittenKind::Function => &["pairs", "function", "crank", "output", "size"],
-            WrittenKind::Path => &["points", "pivots", "closed", "turns", "weights"],
         }
     }
 }
@@ -146,38 +109,29 @@ impl TaskFile {
     }
 }
 
-fn task_file(
-    reader: &mut Reader<'_>,
-    root: &Lenient<WrittenTask>,
-    origin: &str,
-) -> Option<TaskFile> {
-    let file = root.get()?;
-    if let (None, Some(links)) = (&file.kind, root.key("links").or_else(|| root.key("slides"))) {
+fn task_file(reader: &mut Reader<'_>, root: &Entries<'_>, origin: &str) -> Option<TaskFile> {
+    let file = &KeyTable::root(words().the_task_itself(), keys::TASK, root);
+    if let (false, Some(links)) = (file.has("kind"), scene_part(root)) {
         let fault = Diagnostic::new(words().scene_for_a_task());
-        reader.report(
-            fault
-                .at(links.span(), "")
-                .help(words().synthesize_reads_tasks()),
-        );
+        reader.report(fault.at(links, "").help(words().synthesize_reads_tasks()));
         return None;
     }
-    reader.only(words().the_task_itself(), root);
-    let name = scene::line(reader, "name", file.name.as_ref());
-    let source = scene::line(reader, "source", file.source.as_ref());
-    let note = scene::line(reader, "note", file.note.as_ref());
-    let unit = scene::unit(reader, file.unit.as_ref());
+    reader.only_known(file);
+    let name = scene::line(reader, "name", file.get("name"));
+    let source = scene::line(reader, "source", file.get("source"));
+    let note = scene::line(reader, "note", file.get("note"));
+    let unit = scene::unit(reader, file.get("unit"));
     reader.named.length = (unit.symbol(), unit.tenths_of_mm());
-    let wishes = wishes::wishes(reader, file.wishes.as_ref());
-    let (four_bars, slider_cranks) = linkages(reader, file.linkages.as_ref());
-    let kind = kind(reader, root, file)?;
-    if let Some(linkages) = &file.linkages {
+    let wishes = wishes::wishes(reader, file);
+    let (four_bars, slider_cranks) = linkages(reader, file);
+    let kind = kind(reader, file)?;
+    if let Some(linkages) = file.get("linkages") {
         match kind {
             WrittenKind::Function if four_bars && slider_cranks => {
-                let place = linkages.span.clone();
-                reader.report(Diagnostic::new(words().one_output()).at(place, ""));
+                reader.report(Diagnostic::new(words().one_output()).at(linkages.span(), ""));
             }
             WrittenKind::Poses | WrittenKind::Path if slider_cranks && !four_bars => {
-                kinds::slider_cranks_have_one_pivot(reader, file, &linkages.span);
+                kinds::slider_cranks_have_one_pivot(reader, file, &linkages.span());
             }
             WrittenKind::Poses | WrittenKind::Function | WrittenKind::Path => {}
         }
@@ -204,24 +158,26 @@ fn task_file(
     })
 }
 
+/// Returns the place of a key that only scenes have.
+fn scene_part(root: &Entries<'_>) -> Option<ByteSpan> {
+    let mut parts = ["links", "slides"].into_iter();
+    parts.find_map(|key| Some(root.get_key_value(key)?.0.span()))
+}
+
 /// Reads the kind of the task; reports keys of other kinds.
-fn kind(
-    reader: &mut Reader<'_>,
-    root: &Lenient<WrittenTask>,
-    file: &WrittenTask,
-) -> Option<WrittenKind> {
+fn kind(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> Option<WrittenKind> {
     let names = WrittenKind::ALL.map(WrittenKind::name);
-    let Some(written) = &file.kind else {
+    if !file.has("kind") {
         reader.report(
             Diagnostic::new(words().task_without_kind())
                 .help(words().for_example("kind = \"poses\""))
                 .help(words().these_are_known(&names.join("`, `"))),
         );
         return None;
-    };
-    let written = reader.string("`kind`", written)?;
-    let kinds = WrittenKind::ALL.into_iter();
-    let Some(kind) = kinds.clone().find(|kind| kind.name() == written.text) else {
+    }
+    let written = reader.text_of(file, "kind")?;
+    let mut kinds = WrittenKind::ALL.into_iter();
+    let Some(kind) = kinds.find(|kind| kind.name() == written.text) else {
         let near = did_you_mean(written.text, names);
         let help = near.unwrap_or_else(|| words().these_are_known(&names.join("`, `")));
         reader.report(
@@ -231,33 +187,26 @@ fn kind(
         );
         return None;
     };
-    let own = kind.keys();
-    let others = kinds.flat_map(WrittenKind::keys);
-    for key in &root.keys {
-        let name = key.get_ref().as_str();
-        if others.clone().any(|other| *other == name) && !own.contains(&name) {
-            reader.report(
-                Diagnostic::new(words().key_of_another_kind(name, kind.name()))
-                    .at(key.span(), words().belongs_to_another_kind())
-                    .help(words().known_keys(&format!("`{}`", own.join("`, `")))),
-            );
-        }
+    for key in file.strays(kind.name()) {
+        let own = keys::of_kind(kind.name()).join("`, `");
+        reader.report(
+            Diagnostic::new(words().key_of_another_kind(key.text, kind.name()))
+                .at(key.span, words().belongs_to_another_kind())
+                .help(words().known_keys(&format!("`{own}`"))),
+        );
     }
     Some(kind)
 }
 
 /// Reads the linkages to search, as flags for four-bars and slider-cranks; the default is four-bars
 /// only.
-fn linkages(
-    reader: &mut Reader<'_>,
-    written: Option<&Lenient<Vec<Lenient<String>>>>,
-) -> (bool, bool) {
+fn linkages(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> (bool, bool) {
     const FORMS: [&str; 2] = ["four-bar", "slider-crank"];
-    let Some(written) = written else {
+    let Some(written) = file.get("linkages") else {
         return (true, false);
     };
     let mut found = [false; 2];
-    for form in list(reader, "`linkages`", "[\"four-bar\"]", written) {
+    for form in list(reader, "`linkages`", "[\"four-bar\"]", written).unwrap_or_default() {
         let Some(name) = reader.string("`linkages`", form) else {
             continue;
         };
@@ -273,100 +222,74 @@ fn linkages(
     if found == [false; 2] && reader.found.is_empty() {
         reader.report(
             Diagnostic::new(words().no_linkage_wanted())
-                .at(written.span.clone(), "")
+                .at(written.span(), "")
                 .help(words().for_example("linkages = [\"four-bar\"]")),
         );
     }
     (found[0], found[1])
 }
 
-/// Returns the items of a list; reports another value, and returns an empty slice for it.
-fn list<'v, T>(
+/// Returns the items of a list; reports another value.
+fn list<'v>(
     reader: &mut Reader<'_>,
     what: &str,
     example: &str,
-    value: &'v Lenient<Vec<T>>,
-) -> &'v [T] {
-    match &value.read {
-        Ok(items) => items,
-        Err(found) => {
-            let fault = reader.wrong_type(what, words().a_list(), found, &value.span);
-            reader.report(fault.help(words().for_example(example)));
-            &[]
-        }
+    value: &'v WrittenValue<'v>,
+) -> Option<&'v [WrittenValue<'v>]> {
+    let items = items(value);
+    if items.is_none() {
+        let fault = reader.mistyped(what, words().a_list(), value);
+        reader.report(fault.help(words().for_example(example)));
     }
-}
-
-/// Reads a number; reports a formula of another dimension than `wanted`.
-fn measured(
-    reader: &mut Reader<'_>,
-    what: &str,
-    value: &Lenient<f64>,
-    wanted: Option<Dimension>,
-) -> Option<f64> {
-    let number = reader.number(what, value)?;
-    let (Some(wanted), Err(Misplaced::Text(formula))) = (wanted, &value.read) else {
-        return Some(number);
-    };
-    let worth = reader.worked_out(what, formula, &value.span)?;
-    match worth.dimension {
-        Some(found) if !found.adds_to(wanted) => {
-            let length = reader.named.length.0;
-            let message =
-                words().value_measures_other(what, &found.symbol(length), &wanted.symbol(length));
-            reader.report(Diagnostic::new(message).at(value.span.clone(), ""));
-            None
-        }
-        _ => Some(number),
-    }
+    items
 }
 
 /// Reads the numbers of a list; returns `None` if one of them is invalid.
-fn numbers(
-    reader: &mut Reader<'_>,
-    key: &str,
-    value: &NumberList,
-    measure: Option<Dimension>,
-) -> Option<Vec<f64>> {
+fn numbers(reader: &mut Reader<'_>, file: &KeyTable<'_>, key: &str) -> Option<Vec<f64>> {
     let what = format!("`{key}`");
-    let items = list(reader, &what, "[0, 30, 60]", value);
+    let measure = file.measure(key);
+    let items = list(reader, &what, "[0, 30, 60]", file.get(key)?).unwrap_or_default();
     let read: Vec<Option<f64>> = items
         .iter()
-        .map(|item| measured(reader, &what, item, measure))
+        .map(|item| reader.in_units(&what, measure, item))
         .collect();
     read.into_iter().collect()
 }
 
-/// Reads rows of `N` numbers with their places, each number with its own dimension. Returns `None`
+/// Reads rows of `N` numbers with their places, each number with its own measure. Returns `None`
 /// if one of them is invalid.
 fn rows<const N: usize>(
     reader: &mut Reader<'_>,
+    file: &KeyTable<'_>,
     key: &str,
     (form, example): (&str, &str),
-    measures: [Option<Dimension>; N],
-    value: &RowList,
+    measures: [Option<Measure>; N],
 ) -> Option<Vec<([f64; N], ByteSpan)>> {
-    let items = list(reader, &format!("`{key}`"), &format!("[{example}]"), value);
+    let (what, all) = (format!("`{key}`"), format!("[{example}]"));
+    let items = list(reader, &what, &all, file.get(key)?).unwrap_or_default();
     let before = reader.found.len();
     let mut rows = Vec::new();
     for (number, item) in (1..).zip(items) {
         let what = words().item_of(number, key);
         let parts = list(reader, &what, example, item);
-        if item.get().is_some() && parts.len() != N {
+        if let Some(parts) = parts
+            && parts.len() != N
+        {
             reader.report(
                 Diagnostic::new(words().must_be_row(&what, form, parts.len()))
-                    .at(item.span.clone(), words().expected(form))
+                    .at(item.span(), words().expected(form))
                     .help(words().for_example(example)),
             );
             continue;
         }
         let read: Vec<f64> = parts
-            .iter()
+            .into_iter()
+            .flatten()
             .zip(measures)
-            .filter_map(|(part, measure)| measured(reader, &what, part, measure))
+            .filter_map(|(part, measure)| reader.in_units(&what, measure, part))
             .collect();
         if let Ok(row) = <[f64; N]>::try_from(read) {
-            rows.push((row, item.span.clone()));
+            rows.push((row, item.span()));
         }
     }
     (reader.found.len() == before).then_some(rows)
@@ -375,14 +298,14 @@ fn rows<const N: usize>(
 /// Reads points with their places; returns an empty list if the key is missing.
 fn points(
     reader: &mut Reader<'_>,
+    file: &KeyTable<'_>,
     key: &str,
-    value: Option<&RowList>,
 ) -> Option<Vec<(Vec2, ByteSpan)>> {
-    let Some(value) = value else {
+    if !file.has(key) {
         return Some(Vec::new());
-    };
+    }
     let form = ("[x, y]", "[20, 35]");
-    let rows = rows(reader, key, form, [Some(Dimension::LENGTH); 2], value)?;
+    let rows = rows(reader, file, key, form, [Some(Measure::Coordinate); 2])?;
     let point = |([x, y], place): ([f64; 2], ByteSpan)| (Vec2::new(x, y), place);
     Some(rows.into_iter().map(point).collect())
 }
@@ -407,15 +330,6 @@ fn same_twice(
             .and(first.1.clone(), words().first_told_here())
             .help(help),
     );
-}
-
-/// Formats a name for a message.
-fn named(text: &str, span: &ByteSpan) -> String {
-    Name {
-        text,
-        span: span.clone(),
-    }
-    .to_string()
 }
 
 #[cfg(test)]

@@ -1,24 +1,11 @@
 //! Reads the preferences of a task, and checks that they are compatible.
 
-use super::{Reader, RowList, WrittenTask, measured, named, points};
+use super::{Reader, keys, points};
 use crate::Vec2;
-use crate::document::{ByteSpan, Diagnostic, Lenient};
-use crate::expression::Dimension;
+use crate::document::{ByteSpan, Diagnostic, WrittenValue};
+use crate::scene::KeyTable;
 use crate::synthesis::{FunctionTask, Given, Output, Preferences, Sense, Task, TaskKind};
 use crate::wording::words;
-use serde::Deserialize;
-
-/// The preferences as written.
-#[derive(Debug, Deserialize)]
-pub(super) struct WrittenWishes {
-    #[serde(rename = "full-turn")]
-    full_turn: Option<Lenient<bool>>,
-    transmission: Option<Lenient<f64>>,
-    inside: Option<RowList>,
-    ratio: Option<Lenient<f64>>,
-    order: Option<Lenient<bool>>,
-    direction: Option<Lenient<String>>,
-}
 
 const WISHES: &str = "{ transmission = 40 }";
 const SENSES: [(&str, Sense); 2] = [
@@ -35,95 +22,47 @@ pub(super) struct ReadWishes {
     inside: Option<ByteSpan>,
 }
 
-pub(super) fn wishes(
-    reader: &mut Reader<'_>,
-    value: Option<&Lenient<WrittenWishes>>,
-) -> ReadWishes {
+pub(super) fn wishes(reader: &mut Reader<'_>, file: &KeyTable<'_>) -> ReadWishes {
     let mut read = ReadWishes {
         wishes: Preferences::default(),
         ordered: None,
         direction: None,
         inside: None,
     };
-    let Some(value) = value else { return read };
-    let Some(table) = reader.table("[wishes]", WISHES, value) else {
-        return read;
-    };
-    reader.only("[wishes]", value);
-    let full = table.full_turn.as_ref();
-    read.wishes.full_turn = full
-        .and_then(|value| reader.boolean("`full-turn`", value))
-        .unwrap_or(false);
-    let order = table.order.as_ref();
-    read.ordered = order.and_then(|value| reader.boolean("`order`", value));
-    let transmission = table.transmission.as_ref();
-    read.wishes.transmission = transmission.and_then(|value| {
-        let is_angle = |angle: f64| (0.0..90.0).contains(&angle);
-        within(
-            reader,
-            "transmission",
-            (value, Dimension::DEGREES),
-            is_angle,
-            words().angle_below_90(),
-        )
-    });
-    let ratio = table.ratio.as_ref();
-    read.wishes.ratio = ratio.and_then(|value| {
-        within(
-            reader,
-            "ratio",
-            (value, Dimension::NUMBER),
-            |ratio| ratio >= 1.0,
-            words().at_least_1(),
-        )
-    });
-    read.wishes.inside = table
-        .inside
-        .as_ref()
-        .and_then(|value| inside(reader, value));
-    read.inside = table.inside.as_ref().map(|value| value.span.clone());
-    read.wishes.sense = table
-        .direction
-        .as_ref()
-        .and_then(|value| direction(reader, value));
-    read.direction = table.direction.as_ref().map(|value| value.span.clone());
+    let names = ["[wishes]"; 2];
+    let value = file.get("wishes");
+    let table = value.and_then(|value| reader.open(names, keys::WISHES, WISHES, value));
+    let Some(mut table) = table else { return read };
+    table.is_root = true;
+    let table = &table;
+    reader.only_known(table);
+    let place = |key: &str| table.get(key).map(WrittenValue::span);
+    let mut flag = |key: &str| reader.boolean(&format!("`{key}`"), table.get(key)?);
+    read.wishes.full_turn = flag("full-turn").unwrap_or(false);
+    read.ordered = flag("order");
+    read.wishes.transmission = reader.quantity(table, "transmission");
+    read.wishes.ratio = reader.quantity(table, "ratio");
+    read.wishes.inside = inside(reader, table);
+    read.inside = place("inside");
+    read.wishes.sense = direction(reader, table);
+    read.direction = place("direction");
     if read.ordered == Some(false) && read.wishes.sense.is_some() {
-        let place = table.order.as_ref().map(|value| value.span.clone());
         let fault = Diagnostic::new(words().direction_wants_order());
-        reader.report(fault.at(place.unwrap_or_default(), ""));
+        reader.report(fault.at(place("order").unwrap_or_default(), ""));
     }
     read
 }
 
-fn within(
-    reader: &mut Reader<'_>,
-    key: &str,
-    (value, measure): (&Lenient<f64>, Dimension),
-    fits: impl Fn(f64) -> bool,
-    rule: &str,
-) -> Option<f64> {
-    let what = format!("`{key}`");
-    let number = measured(reader, &what, value, Some(measure))?;
-    if fits(number) {
-        return Some(number);
-    }
-    let literal = reader.literal(&value.span);
-    reader.report(
-        Diagnostic::new(words().must_be(&what, rule, &literal))
-            .at(value.span.clone(), words().expected(rule)),
-    );
-    None
-}
-
-fn inside(reader: &mut Reader<'_>, value: &RowList) -> Option<[Vec2; 2]> {
-    let corners = points(reader, "inside", Some(value))?;
+fn inside(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<[Vec2; 2]> {
+    let value = table.get("inside")?;
+    let corners = points(reader, table, "inside")?;
     let corners: Vec<Vec2> = corners.iter().map(|(at, _)| *at).collect();
     match corners[..] {
         [one, other] if one.x != other.x && one.y != other.y => Some([one, other]),
         _ => {
             reader.report(
                 Diagnostic::new(words().inside_is_a_box())
-                    .at(value.span.clone(), "")
+                    .at(value.span(), "")
                     .help(words().for_example("inside = [[-100, -100], [400, 200]]")),
             );
             None
@@ -131,13 +70,13 @@ fn inside(reader: &mut Reader<'_>, value: &RowList) -> Option<[Vec2; 2]> {
     }
 }
 
-fn direction(reader: &mut Reader<'_>, value: &Lenient<String>) -> Option<Sense> {
-    let name = reader.string("`direction`", value)?;
+fn direction(reader: &mut Reader<'_>, table: &KeyTable<'_>) -> Option<Sense> {
+    let name = reader.text_of(table, "direction")?;
     let found = SENSES.iter().find(|(sense, _)| *sense == name.text);
     if found.is_none() {
         let known = SENSES.map(|(sense, _)| sense).join("`, `");
         reader.report(
-            Diagnostic::new(words().no_turning_direction(&named(name.text, &name.span)))
+            Diagnostic::new(words().no_turning_direction(&name.to_string()))
                 .at(name.span.clone(), words().not_known_here())
                 .help(words().these_are_known(&known)),
         );
@@ -156,9 +95,10 @@ impl ReadWishes {
     }
 
     /// Reports incompatible preferences.
-    pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, file: &WrittenTask) {
-        if let (Some(corners), Some(written)) = (self.wishes.inside, &file.pivots) {
-            let given = points(reader, "pivots", Some(written)).unwrap_or_default();
+    pub(super) fn agree_with(&self, reader: &mut Reader<'_>, task: &Task, file: &KeyTable<'_>) {
+        let place = |key: &str| file.get(key).map(WrittenValue::span);
+        if let Some(corners) = self.wishes.inside {
+            let given = points(reader, file, "pivots").unwrap_or_default();
             for (at, place) in given {
                 if !crate::synthesis::is_inside(corners, at) {
                     reader.report(
@@ -173,7 +113,7 @@ impl ReadWishes {
             TaskKind::Poses(_) => {}
             TaskKind::Path(path) => {
                 let last = path.turns.as_ref().and_then(|turns| turns.last());
-                let place = file.turns.as_ref().map(|turns| turns.span.clone());
+                let place = place("turns");
                 let rule = words().turns_against_direction();
                 self.agrees_with_turning(reader, last.copied(), place, rule);
             }
@@ -182,7 +122,7 @@ impl ReadWishes {
                     Given::Value(scale) => Some(scale),
                     Given::Free => None,
                 };
-                let place = file.crank.as_ref().map(|crank| crank.span.clone());
+                let place = place("crank");
                 let rule = words().crank_against_direction();
                 self.agrees_with_turning(reader, turns, place, rule);
                 self.holds_pivots(reader, function);

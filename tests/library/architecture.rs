@@ -80,10 +80,7 @@ const FOREIGN: [(&str, &[&str]); 27] = [
     ("annotate_snippets", &["document"]),
     ("csv", &["report"]),
     ("serde_json", &["report"]),
-    (
-        "serde",
-        &["document", "scene", "task_file", "report", "tui"],
-    ),
+    ("serde", &["report"]),
     ("num_bigint", &["expression"]),
     ("petgraph", &["solver"]),
     ("zmij", &["report"]),

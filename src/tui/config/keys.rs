@@ -1,14 +1,11 @@
 //! The section `[keys]` of the configuration: the user's keys for actions.
 
-use crate::document::{ByteSpan, Diagnostic, Entries, Lenient, Misplaced, Reader, quoted};
+use crate::document::{ByteSpan, Diagnostic, Reader, WrittenValue, items, quoted};
 use crate::nearest::did_you_mean;
 use crate::tui::commands::action::{self, Action, ActionRow};
 use crate::tui::commands::key::{self, Key};
 use crate::tui::commands::keymap::Keymap;
 use crate::wording::words;
-
-/// The section in the file: for each action a list of keys, or a single key.
-pub(super) type KeysSection = Lenient<Entries<Lenient<Vec<Lenient<String>>>>>;
 
 /// Returns the fixed key of an action and a description of it. Fixed keys ensure that the user can
 /// always leave.
@@ -38,11 +35,10 @@ struct GivenKey {
     place: ByteSpan,
 }
 
-/// Reads the section into the keymap.
-pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut Keymap) {
-    reader.table("[keys]", "play = [\"space\", \"F5\"]", section);
+/// Reads the section into the keymap: for each action a list of keys, or a single key.
+pub(super) fn read(reader: &mut Reader<'_>, section: &WrittenValue<'_>, keymap: &mut Keymap) {
     let mut given = Vec::new();
-    for (name, value) in section.entries() {
+    for (name, value) in reader.entries("[keys]", "play = [\"space\", \"F5\"]", section) {
         let text = name.text;
         let Some(entry) = action_of(reader, text, name.span.clone()) else {
             continue;
@@ -57,7 +53,7 @@ pub(super) fn read(reader: &mut Reader<'_>, section: &KeysSection, keymap: &mut 
         if keys.is_empty() && is_needed(entry.action) {
             reader.report(
                 Diagnostic::new(words().must_have_a_key(&quoted(text)))
-                    .at(value.span.clone(), words().no_key_here())
+                    .at(value.span(), words().no_key_here())
                     .help(words().by_default(&action::listed(entry.keys))),
             );
         }
@@ -99,34 +95,19 @@ fn action_of(reader: &mut Reader<'_>, name: &str, place: ByteSpan) -> Option<&'s
 }
 
 /// Reads one key or a list of keys.
-fn keys_of(
-    reader: &mut Reader<'_>,
-    of: &str,
-    value: &Lenient<Vec<Lenient<String>>>,
-) -> Vec<(Key, ByteSpan)> {
-    match &value.read {
-        Ok(list) => {
-            let keys = list.iter().filter_map(|value| match &value.read {
-                Ok(text) => key_of(reader, text, &value.span),
-                Err(found) => no_key(reader, of, found, &value.span),
-            });
-            keys.collect()
+fn keys_of(reader: &mut Reader<'_>, of: &str, value: &WrittenValue<'_>) -> Vec<(Key, ByteSpan)> {
+    let written = items(value).unwrap_or(std::slice::from_ref(value));
+    let mut keys = Vec::new();
+    for value in written {
+        match value.get_ref().as_str() {
+            Some(text) => keys.extend(key_of(reader, text, &value.span())),
+            None => {
+                let fault = reader.mistyped(&quoted(of), words().a_key_or_keys(), value);
+                reader.report(fault.help(words().for_example_keys(of)));
+            }
         }
-        Err(Misplaced::Text(text)) => key_of(reader, text, &value.span).into_iter().collect(),
-        Err(found) => no_key(reader, of, found, &value.span).into_iter().collect(),
     }
-}
-
-/// Reports a value that is not a key.
-fn no_key(
-    reader: &mut Reader<'_>,
-    of: &str,
-    found: &Misplaced,
-    place: &ByteSpan,
-) -> Option<(Key, ByteSpan)> {
-    let fault = reader.wrong_type(&quoted(of), words().a_key_or_keys(), found, place);
-    reader.report(fault.help(words().for_example_keys(of)));
-    None
+    keys
 }
 
 fn key_of(reader: &mut Reader<'_>, text: &str, place: &ByteSpan) -> Option<(Key, ByteSpan)> {

@@ -6,7 +6,7 @@ mod template;
 pub use template::template;
 
 use crate::capability::{Colours, PictureChoice};
-use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Lenient, Reader};
+use crate::document::{self, ByteSpan, Diagnostic, Diagnostics, Entries, Reader};
 use crate::drawing::{Blocks, Glyphs};
 use crate::files::places;
 use crate::nearest::did_you_mean;
@@ -15,7 +15,6 @@ use crate::tui::appearance::palette::Theme;
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::views::layout::LayoutName;
 use crate::wording::{Language, words};
-use serde::Deserialize;
 use std::path::PathBuf;
 
 /// The user's configuration.
@@ -63,21 +62,20 @@ impl Default for Config {
     }
 }
 
-/// The configuration as written in its file.
-#[derive(Debug, Deserialize)]
-struct ConfigFile {
-    glyphs: Option<Lenient<String>>,
-    colour: Option<Lenient<String>>,
-    theme: Option<Lenient<String>>,
-    picture: Option<Lenient<String>>,
-    layout: Option<Lenient<String>>,
-    language: Option<Lenient<String>>,
-    decimal: Option<Lenient<String>>,
-    separator: Option<Lenient<String>>,
-    tour: Option<Lenient<bool>>,
-    mouse: Option<Lenient<bool>>,
-    keys: Option<keys::KeysSection>,
-}
+/// The keys of the configuration.
+const KEYS: [&str; 11] = [
+    "glyphs",
+    "colour",
+    "theme",
+    "picture",
+    "layout",
+    "language",
+    "decimal",
+    "separator",
+    "tour",
+    "mouse",
+    "keys",
+];
 
 /// A value as written in the file, and its meaning.
 type Named<T> = (&'static str, T);
@@ -162,14 +160,13 @@ impl Config {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut reader = Reader::new(text);
         let mut config = Config::default();
-        if let Some(root) = document::parse::<ConfigFile>(&mut reader, mend) {
+        if let Some(file) = document::parse(&mut reader, mend) {
             let before = reader.found.len();
-            reader.only(words().the_configuration(), &root);
+            let names = document::entries(&file).map(|(name, _)| name);
+            reader.only_these(words().the_configuration(), names, &KEYS);
             let unknown = reader.found.iter_mut().skip(before);
             unknown.for_each(|found| found.is_warning = true);
-            if let Some(file) = root.get() {
-                config.take(&mut reader, file);
-            }
+            config.take(&mut reader, &file);
         }
         if reader.has_errors() {
             return Err(reader.into_diagnostics(origin));
@@ -182,47 +179,46 @@ impl Config {
     #[must_use]
     pub(crate) fn language_in(text: &str) -> Option<Language> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let root = document::parse::<ConfigFile>(&mut Reader::new(text), mend)?;
-        let written = root.get()?.language.as_ref()?;
-        Language::named(written.read.as_ref().ok()?)
+        let file = document::parse(&mut Reader::new(text), mend)?;
+        Language::named(file.get("language")?.get_ref().as_str()?)
     }
 
     /// Applies the values in the file; invalid ones keep their defaults.
-    fn take(&mut self, reader: &mut Reader<'_>, file: &ConfigFile) {
-        let glyphs = choice(reader, "glyphs", &GLYPHS, file.glyphs.as_ref());
+    fn take(&mut self, reader: &mut Reader<'_>, file: &Entries<'_>) {
+        let glyphs = choice(reader, "glyphs", &GLYPHS, file);
         self.glyphs = glyphs.unwrap_or_default();
-        let colours = choice(reader, "colour", &COLOURS, file.colour.as_ref());
+        let colours = choice(reader, "colour", &COLOURS, file);
         self.colours = colours.unwrap_or_default();
-        let theme = choice(reader, "theme", &THEMES, file.theme.as_ref());
+        let theme = choice(reader, "theme", &THEMES, file);
         self.theme = theme.unwrap_or_default();
-        let picture = choice(reader, "picture", &pictures(), file.picture.as_ref());
+        let picture = choice(reader, "picture", &pictures(), file);
         self.picture = picture.unwrap_or_default();
-        let layout = choice(reader, "layout", &layouts(), file.layout.as_ref());
+        let layout = choice(reader, "layout", &layouts(), file);
         self.layout = layout.unwrap_or_default();
-        let language = choice(reader, "language", &languages(), file.language.as_ref());
+        let language = choice(reader, "language", &languages(), file);
         self.language = language.unwrap_or_default();
         self.csv = dialect(reader, file).unwrap_or_default();
-        let tour = file.tour.as_ref();
+        let tour = file.get("tour");
         let tour = tour.and_then(|value| reader.boolean("`tour`", value));
         self.tour = tour.unwrap_or(self.tour);
-        let mouse = file.mouse.as_ref();
+        let mouse = file.get("mouse");
         let mouse = mouse.and_then(|value| reader.boolean("`mouse`", value));
         self.mouse = mouse.unwrap_or(self.mouse);
-        if let Some(section) = &file.keys {
+        if let Some(section) = file.get("keys") {
             keys::read(reader, section, &mut self.keymap);
         }
     }
 }
 
 /// Returns the format of CSV files. A comma cannot be both decimal mark and separator.
-fn dialect(reader: &mut Reader<'_>, file: &ConfigFile) -> Option<CsvDialect> {
-    let decimal = choice(reader, "decimal", &decimals(), file.decimal.as_ref());
-    let separator = choice(reader, "separator", &separators(), file.separator.as_ref());
+fn dialect(reader: &mut Reader<'_>, file: &Entries<'_>) -> Option<CsvDialect> {
+    let decimal = choice(reader, "decimal", &decimals(), file);
+    let separator = choice(reader, "separator", &separators(), file);
     let found = CsvDialect::of(decimal.unwrap_or_default(), separator.flatten());
-    if let (None, Some(place)) = (found, &file.separator) {
+    if let (None, Some(place)) = (found, file.get("separator")) {
         reader.report(
             Diagnostic::new(words().separator_is_decimal())
-                .at(place.span.clone(), words().here())
+                .at(place.span(), words().here())
                 .help(words().take_a_semicolon()),
         );
     }
@@ -234,9 +230,9 @@ fn choice<T: Copy>(
     reader: &mut Reader<'_>,
     key: &str,
     known: &[Named<T>],
-    value: Option<&Lenient<String>>,
+    file: &Entries<'_>,
 ) -> Option<T> {
-    let given = reader.string(&format!("`{key}`"), value?)?;
+    let given = reader.string(&format!("`{key}`"), file.get(key)?)?;
     let found = known.iter().find(|(name, _)| *name == given.text);
     if found.is_none() {
         let names = || known.iter().map(|(name, _)| *name);

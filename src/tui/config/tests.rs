@@ -21,11 +21,7 @@ fn template_parses_to_default_configuration() {
     let live = uncommented(&text);
     assert!(live.matches('=').count() > 60, "{live}");
     assert_eq!(Config::parse(&live, "t").unwrap(), Config::default());
-    let mut reader = Reader::new("");
-    for known in document::parse::<ConfigFile>(&mut reader, mend)
-        .unwrap()
-        .known
-    {
+    for known in KEYS {
         assert!(live.contains(&format!("{known} = ")) || live.contains(&format!("[{known}]")));
     }
 }

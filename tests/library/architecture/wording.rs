@@ -24,14 +24,10 @@ const SAID: [&[&str]; 15] = [
 ];
 
 /// Files in those modules with texts outside the catalogue.
-const OTHERS: [&[&str]; 15] = [
+const OTHERS: [&[&str]; 12] = [
     // Commands for a shell.
     &["cli", "help", "completions"],
     &["cli", "help", "pager"],
-    // Messages between derived implementations only.
-    &["document", "lenient"],
-    &["scene", "limits"],
-    &["scene", "sighted"],
     // Markup and style sheets.
     &["manual", "web"],
     &["page", "html"],
@@ -42,7 +38,7 @@ const OTHERS: [&[&str]; 15] = [
     // Library errors have their own text.
     &["quantity", "catalogue"],
     // Units of two words.
-    &["scene", "measure"],
+    &["scene", "numbers", "measure"],
     // Numbers are named by the keys of the file.
     &["scene", "values"],
     // Tests of rendered messages.

@@ -5,14 +5,15 @@
 //! values.
 
 mod diagnostic;
-mod lenient;
+mod node;
 mod reader;
 mod sanitize;
 mod syntax;
 
 pub use diagnostic::not_utf8;
 pub use diagnostic::{Diagnostic, Diagnostics, Label};
-pub use lenient::{Entries, Lenient, Misplaced, WrittenKey};
+pub(crate) use node::number_of;
+pub use node::{Entries, WrittenValue, entries, items};
 pub use reader::{ByteSpan, Name, NamedNumbers, Reader, meant, quoted};
 pub use sanitize::ascii_letter;
 pub use sanitize::with_ascii_letters;

@@ -1,7 +1,7 @@
 //! Reads values of a document, and reports everything that does not fit.
 
 use super::diagnostic::{Diagnostic, Diagnostics};
-use super::lenient::{Lenient, Misplaced, WrittenKey};
+use super::node::{WrittenValue, entries, kind_of};
 use super::sanitize::escaped;
 use crate::expression::MeasuredNumber;
 use crate::nearest::{did_you_mean, nearest};
@@ -9,6 +9,7 @@ use crate::wording::words;
 use std::collections::HashMap;
 use std::fmt;
 use std::ops::Range;
+use toml::de::DeTable;
 
 pub type ByteSpan = Range<usize>;
 
@@ -24,16 +25,6 @@ const FULL: usize = 50;
 pub struct Name<'t> {
     pub text: &'t str,
     pub span: ByteSpan,
-}
-
-impl<'t> Name<'t> {
-    /// Returns the name given by a key.
-    pub(crate) fn of_key(key: &'t WrittenKey) -> Self {
-        Name {
-            text: key.get_ref(),
-            span: key.span(),
-        }
-    }
 }
 
 impl fmt::Display for Name<'_> {
@@ -133,25 +124,18 @@ impl<'t> Reader<'t> {
     }
 
     /// Returns the diagnostic of a value of the wrong type.
-    pub fn wrong_type(
-        &self,
-        what: &str,
-        wanted: &str,
-        found: &Misplaced,
-        span: &ByteSpan,
-    ) -> Diagnostic {
-        Diagnostic::new(words().must_be(what, wanted, found.said()))
-            .at(span.clone(), words().expected(wanted))
+    pub fn mistyped(&self, what: &str, wanted: &str, value: &WrittenValue<'_>) -> Diagnostic {
+        Diagnostic::new(words().must_be(what, wanted, kind_of(value)))
+            .at(value.span(), words().expected(wanted))
     }
 
     /// Reads a text.
-    pub fn string<'v>(&mut self, what: &str, value: &'v Lenient<String>) -> Option<Name<'v>> {
-        let span = value.span.clone();
-        let found = match &value.read {
-            Ok(text) => return Some(Name { text, span }),
-            Err(found) => found,
-        };
-        let fault = self.wrong_type(what, words().a_quoted_text(), found, &span);
+    pub fn string<'v>(&mut self, what: &str, value: &'v WrittenValue<'v>) -> Option<Name<'v>> {
+        let span = value.span();
+        if let Some(text) = value.get_ref().as_str() {
+            return Some(Name { text, span });
+        }
+        let fault = self.mistyped(what, words().a_quoted_text(), value);
         let literal = self.text.get(span).unwrap_or("");
         let word = |c: char| c.is_ascii_alphanumeric() || c == '.';
         let short = literal.len() <= QUOTED && literal.chars().all(word);
@@ -164,47 +148,55 @@ impl<'t> Reader<'t> {
     }
 
     /// Reads a boolean; used by the configuration and by tasks.
-    pub fn boolean(&mut self, what: &str, value: &Lenient<bool>) -> Option<bool> {
-        let found = match &value.read {
-            Ok(read) => return Some(*read),
-            Err(found) => found,
-        };
-        let fault = self.wrong_type(what, words().a_truth(), found, &value.span);
-        let help = found.text().and_then(bare_boolean);
-        self.report(fault.maybe_help(help));
-        None
+    pub fn boolean(&mut self, what: &str, value: &WrittenValue<'_>) -> Option<bool> {
+        let read = value.get_ref().as_bool();
+        if read.is_none() {
+            let fault = self.mistyped(what, words().a_truth(), value);
+            let help = value.get_ref().as_str().and_then(bare_boolean);
+            self.report(fault.maybe_help(help));
+        }
+        read
     }
 
     /// Reads a table; `example` shows the syntax.
-    pub fn table<'v, T>(
+    pub fn section<'v>(
         &mut self,
         what: &str,
         example: &str,
-        value: &'v Lenient<T>,
-    ) -> Option<&'v T> {
-        let found = match &value.read {
-            Ok(table) => return Some(table),
-            Err(found) => found,
-        };
-        let fault = self.wrong_type(what, words().a_table(), found, &value.span);
-        self.report(fault.help(words().for_example(example)));
-        None
+        value: &'v WrittenValue<'v>,
+    ) -> Option<&'v DeTable<'v>> {
+        let table = value.get_ref().as_table();
+        if table.is_none() {
+            let fault = self.mistyped(what, words().a_table(), value);
+            self.report(fault.help(words().for_example(example)));
+        }
+        table
     }
 
-    /// Reports every unknown key of a table.
-    pub fn only<T>(&mut self, of: &str, table: &Lenient<T>) {
-        self.only_these(of, &table.keys, table.known);
+    /// Reads a table whose keys are names, and returns its entries in the order of the file.
+    pub fn entries<'v>(
+        &mut self,
+        what: &str,
+        example: &str,
+        value: &'v WrittenValue<'v>,
+    ) -> impl Iterator<Item = (Name<'v>, &'v WrittenValue<'v>)> + use<'v> {
+        let table = self.section(what, example, value);
+        table.into_iter().flat_map(entries)
     }
 
     /// Reports every key not listed in `known`.
-    pub(crate) fn only_these(&mut self, of: &str, keys: &[WrittenKey], known: &[&str]) {
-        for key in keys {
-            let text = key.get_ref().as_str();
+    pub fn only_these<'n>(
+        &mut self,
+        of: &str,
+        keys: impl IntoIterator<Item = Name<'n>>,
+        known: &[&str],
+    ) {
+        for Name { text, span } in keys {
             if known.contains(&text) {
                 continue;
             }
             let fault = Diagnostic::new(words().unknown_key_in(of, &quoted(text)))
-                .at(key.span(), words().unknown_key_here());
+                .at(span, words().unknown_key_here());
             let near = (!self.is_full()).then(|| did_you_mean(text, known.iter().copied()));
             if let Some(what) = not_modelled(text) {
                 self.report(fault.help(what));
@@ -232,12 +224,10 @@ fn not_modelled(key: &str) -> Option<&'static str> {
 }
 
 /// Returns `true` if an unknown key of the table is probably a misspelling of this one.
-pub fn meant(keys: &[WrittenKey], known: &[&str], key: &str) -> bool {
+pub fn meant<'n>(keys: impl Iterator<Item = &'n str>, known: &[&str], key: &str) -> bool {
     // Bounded, because the comparison is expensive.
-    keys.iter().take(FULL).any(|k| {
-        let text = k.get_ref().as_str();
-        !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key)
-    })
+    keys.take(FULL)
+        .any(|text| !known.contains(&text) && nearest(text, known.iter().copied()) == Some(key))
 }
 
 /// Returns the hint for a boolean written as text; `None` for other texts.

@@ -1,29 +1,22 @@
 //! Parses the TOML of a document, and explains its syntax errors.
 
 use super::diagnostic::Diagnostic;
-use super::lenient::Lenient;
 use super::reader::{ByteSpan, Reader, quoted};
 use crate::wording::words;
-use serde::Deserialize;
-use toml::de::{DeTable, DeValue, Deserializer, Error};
+use toml::de::{DeTable, DeValue, Error};
 
 /// A function that suggests a fix from the text, the parser's message and the place of the error.
 pub(crate) type SyntaxHint = fn(&str, &str, &ByteSpan) -> Option<String>;
 
-/// Deserializes the text leniently; returns `None` if the syntax errors leave nothing usable.
-pub fn parse<'t, T: Deserialize<'t>>(
-    reader: &mut Reader<'t>,
-    mend: SyntaxHint,
-) -> Option<Lenient<T>> {
+/// Parses the text; returns `None` if the syntax errors leave nothing usable.
+pub fn parse<'t>(reader: &mut Reader<'t>, mend: SyntaxHint) -> Option<DeTable<'t>> {
     if let Some(message) = foreign(reader.text()) {
         reader.report(Diagnostic::new(message).help(words().krank_reads_toml()));
         return None;
     }
     let (root, errors) = DeTable::parse_recoverable(reader.text());
-    if !is_whole(reader, mend, root.get_ref(), &errors) {
-        return None;
-    }
-    Lenient::deserialize(Deserializer::from(root)).ok()
+    let is_whole = is_whole(reader, mend, root.get_ref(), &errors);
+    is_whole.then(|| root.into_inner())
 }
 
 /// Returns `true` if the root table of a text has a key, as far as the text is TOML.

@@ -1,25 +1,25 @@
 //! Converts the builder's defects to diagnostics that name the elements as the file does.
 
 use super::draft::SceneDraft;
-use super::input::DraftInput;
-use super::link::DraftLink;
-use super::reader::{Name, Reader, quoted};
-use super::slide::{DraftSlide, DraftSlider};
+use super::elements::link::DraftLink;
+use super::elements::slide::{DraftSlide, DraftSlider};
+use super::inputs::input::DraftInput;
+use super::numbers::reader::{Name, Reader, quoted};
 use crate::document::Diagnostic;
 use crate::wording::words;
 use crate::{Defect, LinkId, PointId, SlideId};
 
 /// The draft and names by which the ids of a builder are resolved.
-pub(super) struct Drafted<'r, 't> {
-    pub(super) draft: &'r SceneDraft<'t>,
+pub(crate) struct Drafted<'r, 't> {
+    pub(crate) draft: &'r SceneDraft<'t>,
     /// The slides added to the builder, by id.
-    pub(super) slides: &'r [&'r DraftSlide<'t>],
-    pub(super) point_names: &'r [Option<String>],
+    pub(crate) slides: &'r [&'r DraftSlide<'t>],
+    pub(crate) point_names: &'r [Option<String>],
 }
 
 impl<'t> Drafted<'_, 't> {
     /// Reports defects, except those that follow from an earlier diagnostic.
-    pub(super) fn report(&self, reader: &mut Reader<'_>, defects: &[Defect]) {
+    pub(crate) fn report(&self, reader: &mut Reader<'_>, defects: &[Defect]) {
         for defect in defects {
             if let Some(fault) = self.diagnostic(defect) {
                 reader.report(fault);
@@ -210,10 +210,10 @@ fn proportion(link: &DraftLink<'_>, length: f64, longest: f64) -> Diagnostic {
 }
 
 fn no_centre(link: &DraftLink<'_>) -> Diagnostic {
-    let (key, span) = link
-        .mass_key
-        .clone()
-        .unwrap_or(("mass", link.name.span.clone()));
+    let (key, span) = match &link.mass_key {
+        Some(key) => (key.text, key.span.clone()),
+        None => ("mass", link.name.span.clone()),
+    };
     let help = match &link.ends {
         Some(ends) => words().give_centre_at_middle(ends.length / 2.0),
         None => words().give_centre().to_owned(),

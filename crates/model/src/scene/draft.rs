@@ -1,103 +1,74 @@
 //! Reads the elements of a scene file one by one, before their names are resolved.
 
 use super::Unit;
-use super::deviations::{self, Deviations, DraftTolerances};
-use super::figures::{self, DraftFigure, FigureEntries};
-use super::frame;
-use super::input::{self, DraftDriver};
-use super::limits::{self, DraftLimit, LimitEntries};
-use super::link::{self, DraftLink, Links};
-use super::loads::{self, DraftLoad, Loads};
-use super::motor::{self, Motor};
-use super::parameters::{self, DraftParameter, ParameterEntries};
-use super::points::{self, DraftVector, PlacedPoint, Vectors, places};
-use super::reader::{ByteSpan, CoordinatePair, Points, Reader};
-use super::redundant::{self, Redundant};
-use super::slide::{self, DraftSlide, Slides};
-use super::spring::{self, DraftSpring, Springs};
-use super::timed_inputs::{self, DraftTimed, TimedInputs};
+use super::accuracy::deviations::{self, DraftTolerances};
+use super::acting::loads::{self, DraftLoad};
+use super::acting::spring::{self, DraftSpring};
+use super::elements::frame;
+use super::elements::limits::{self, DraftLimit};
+use super::elements::link::{self, DraftLink};
+use super::elements::points::{self, DraftVector, PlacedPoint, places};
+use super::elements::redundant::{self, Redundant};
+use super::elements::slide::{self, DraftSlide};
+use super::inputs::input::{self, DraftDriver};
+use super::inputs::motor::{self, Motor};
+use super::inputs::timed_inputs::{self, DraftTimed};
+use super::keys;
+use super::numbers::figures::{self, DraftFigure};
+use super::numbers::parameters::{self, DraftParameter};
+use super::numbers::reader::{ByteSpan, Reader};
+use super::table::KeyTable;
 use crate::Vec2;
-use crate::document::{Diagnostic, Lenient, Misplaced};
+use crate::document::{Diagnostic, WrittenValue};
 use crate::nearest::did_you_mean;
 use crate::wording::words;
-use serde::Deserialize;
 use std::collections::HashSet;
-
-/// A scene as written in its file.
-#[derive(Debug, Deserialize)]
-pub(super) struct SceneFile {
-    name: Option<Lenient<String>>,
-    source: Option<Lenient<String>>,
-    note: Option<Lenient<String>>,
-    unit: Option<Lenient<String>>,
-    parameters: Option<ParameterEntries>,
-    tolerance: Option<Lenient<f64>>,
-    clearance: Option<Lenient<f64>>,
-    ground: Option<Points>,
-    marks: Option<Points>,
-    driver: Option<Lenient<input::DriverTable>>,
-    inputs: Option<TimedInputs>,
-    links: Option<Links>,
-    slides: Option<Slides>,
-    start: Option<Points>,
-    vectors: Option<Vectors>,
-    limits: Option<LimitEntries>,
-    loads: Option<Loads>,
-    springs: Option<Springs>,
-    gravity: Option<CoordinatePair>,
-    figures: Option<FigureEntries>,
-    motor: Option<Lenient<motor::MotorTable>>,
-    tolerances: Option<Deviations>,
-    clearances: Option<Deviations>,
-    redundant: Option<Lenient<redundant::RedundantTable>>,
-}
+use toml::de::DeTable;
 
 /// The contents of a scene. Values that could not be read have a placeholder and a diagnostic, so
 /// that the remaining elements can still be checked.
 #[derive(Debug, Default)]
-pub(super) struct SceneDraft<'t> {
-    pub(super) name: Option<String>,
-    pub(super) source: Option<String>,
-    pub(super) note: Option<String>,
-    pub(super) unit: Unit,
-    pub(super) parameters: Vec<DraftParameter<'t>>,
+pub(crate) struct SceneDraft<'t> {
+    pub(crate) name: Option<String>,
+    pub(crate) source: Option<String>,
+    pub(crate) note: Option<String>,
+    pub(crate) unit: Unit,
+    pub(crate) parameters: Vec<DraftParameter<'t>>,
     /// The points of the ground, including the marks.
-    pub(super) ground: Vec<PlacedPoint<'t>>,
+    pub(crate) ground: Vec<PlacedPoint<'t>>,
     /// The names of the marks, which no element has to refer to.
-    pub(super) marks: HashSet<&'t str>,
-    pub(super) links: Vec<DraftLink<'t>>,
-    pub(super) links_key: Option<ByteSpan>,
-    pub(super) slides: Vec<DraftSlide<'t>>,
-    pub(super) driver: Option<DraftDriver<'t>>,
+    pub(crate) marks: HashSet<&'t str>,
+    pub(crate) links: Vec<DraftLink<'t>>,
+    pub(crate) links_key: Option<ByteSpan>,
+    pub(crate) slides: Vec<DraftSlide<'t>>,
+    pub(crate) driver: Option<DraftDriver<'t>>,
     /// The place of the key `driver`, even if its value could not be read.
-    pub(super) driver_key: Option<ByteSpan>,
+    pub(crate) driver_key: Option<ByteSpan>,
     /// The inputs that follow the driver.
-    pub(super) timed: Vec<DraftTimed<'t>>,
-    pub(super) start: Vec<PlacedPoint<'t>>,
-    pub(super) vectors: Vec<DraftVector<'t>>,
-    pub(super) limits: Vec<DraftLimit<'t>>,
-    pub(super) loads: Vec<DraftLoad<'t>>,
-    pub(super) springs: Vec<DraftSpring<'t>>,
-    pub(super) motor: Option<Motor>,
-    pub(super) gravity: Vec2,
-    pub(super) figures: Vec<DraftFigure<'t>>,
-    pub(super) redundant: Redundant,
-    pub(super) tolerances: DraftTolerances<'t>,
+    pub(crate) timed: Vec<DraftTimed<'t>>,
+    pub(crate) start: Vec<PlacedPoint<'t>>,
+    pub(crate) vectors: Vec<DraftVector<'t>>,
+    pub(crate) limits: Vec<DraftLimit<'t>>,
+    pub(crate) loads: Vec<DraftLoad<'t>>,
+    pub(crate) springs: Vec<DraftSpring<'t>>,
+    pub(crate) motor: Option<Motor>,
+    pub(crate) gravity: Vec2,
+    pub(crate) figures: Vec<DraftFigure<'t>>,
+    pub(crate) redundant: Redundant,
+    pub(crate) tolerances: DraftTolerances<'t>,
     /// Whether a section could not be read at all, so that all its names are missing.
-    pub(super) unreadable: bool,
+    pub(crate) unreadable: bool,
     /// Whether a link or a slide names an unreadable point.
-    pub(super) lost_points: bool,
+    pub(crate) lost_points: bool,
     /// Whether a vector, a load or a spring that may have named a point could not be read.
-    pub(super) lost_references: bool,
+    pub(crate) lost_references: bool,
 }
 
 /// Reads the whole document.
-pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) -> SceneDraft<'v> {
+pub(crate) fn read<'v>(reader: &mut Reader<'_>, root: &'v DeTable<'v>) -> SceneDraft<'v> {
     let mut draft = SceneDraft::default();
-    // The root of a document is always a table.
-    let Some(file) = root.get() else { return draft };
     // A file with links is a scene, even if it has a `kind`.
-    if let (Some(kind), None) = (root.key("kind"), root.key("links")) {
+    if let (Some((kind, _)), None) = (root.get_key_value("kind"), root.get("links")) {
         let fault = Diagnostic::new(words().task_for_a_scene());
         reader.report(
             fault
@@ -107,34 +78,33 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
         draft.unreadable = true;
         return draft;
     }
-    reader.only(words().the_scene_itself(), root);
-    draft.unreadable = root.known.iter().any(|key| root.meant(key));
-    draft.name = line(reader, "name", file.name.as_ref());
-    draft.source = line(reader, "source", file.source.as_ref());
-    draft.note = line(reader, "note", file.note.as_ref());
-    draft.unit = unit(reader, file.unit.as_ref());
+    let file = &KeyTable::root(words().the_scene_itself(), keys::SCENE, root);
+    reader.only_known(file);
+    draft.unreadable = keys::SCENE.iter().any(|key| file.meant(key.name));
+    draft.name = line(reader, "name", file.get("name"));
+    draft.source = line(reader, "source", file.get("source"));
+    draft.note = line(reader, "note", file.get("note"));
+    draft.unit = unit(reader, file.get("unit"));
     reader.named.length = (draft.unit.symbol(), draft.unit.tenths_of_mm());
     // First, because every number may use parameters.
-    if let Some(value) = &file.parameters {
+    if let Some(value) = file.get("parameters") {
         draft.parameters = parameters::read(reader, value);
     }
-    draft.moving(reader, root, file);
+    draft.moving(reader, file);
     draft.references(reader, file);
     draft.deviations(reader, file);
-    if let Some(value) = &file.gravity {
-        let gravity = reader.pair("`gravity` (m/s^2)", value);
-        draft.unreadable |=
-            gravity.is_none() && value.read.as_ref().err() != Some(&Misplaced::Table);
+    if let Some(value) = file.get("gravity") {
+        let gravity = reader.pair_of(file, "gravity");
+        draft.unreadable |= gravity.is_none() && !value.get_ref().is_table();
         draft.gravity = gravity.unwrap_or_default();
     }
-    if let Some(value) = &file.redundant {
-        draft.redundant = redundant::read(reader, draft.unit, value);
-        draft.unreadable |= value.get().is_none();
+    if let Some(value) = draft.section(file, "redundant") {
+        draft.redundant = redundant::read(reader, value);
     }
-    if let Some(value) = &file.figures {
+    if let Some(value) = file.get("figures") {
         draft.figures = figures::figures(reader, value);
     }
-    if let Some(value) = &file.motor {
+    if let Some(value) = file.get("motor") {
         let driven = draft.driver.as_ref().map(|driver| &driver.input);
         draft.motor = motor::read(reader, draft.unit, driven, value);
     }
@@ -147,17 +117,21 @@ pub(super) fn read<'v>(reader: &mut Reader<'_>, root: &'v Lenient<SceneFile>) ->
 }
 
 impl<'v> SceneDraft<'v> {
-    /// Reads the ground, the links, the slides, the inputs and the start. A section that is not a
-    /// table loses all its names.
-    fn moving(&mut self, reader: &mut Reader<'_>, root: &Lenient<SceneFile>, file: &'v SceneFile) {
-        let place = |name| root.key(name).map(|key| key.span());
-        if let Some(value) = &file.ground {
+    /// Returns the value of a section. One that is not a table loses all its names.
+    fn section(&mut self, file: &KeyTable<'v>, key: &str) -> Option<&'v WrittenValue<'v>> {
+        let value = file.get(key)?;
+        self.unreadable |= !value.get_ref().is_table();
+        Some(value)
+    }
+
+    /// Reads the ground, the links, the slides, the inputs and the start.
+    fn moving(&mut self, reader: &mut Reader<'_>, file: &KeyTable<'v>) {
+        let place = |name| file.key(name).map(|key| key.span);
+        if let Some(value) = self.section(file, "ground") {
             self.ground = places(reader, "[ground]", words().ground_point(), value);
-            self.unreadable |= value.get().is_none();
         }
-        if let Some(value) = &file.marks {
+        if let Some(value) = self.section(file, "marks") {
             let marks = places(reader, "[marks]", words().mark(), value);
-            self.unreadable |= value.get().is_none();
             for mark in &marks {
                 let fixed = |place: &&PlacedPoint<'_>| place.name.text == mark.name.text;
                 if let Some(before) = self.ground.iter().find(fixed) {
@@ -173,62 +147,57 @@ impl<'v> SceneDraft<'v> {
             self.marks = marks.iter().map(|mark| mark.name.text).collect();
             self.ground.extend(marks);
         }
-        if let Some(value) = &file.start {
+        if let Some(value) = self.section(file, "start") {
             self.start = places(reader, "[start]", words().start_of(), value);
-            self.unreadable |= value.get().is_none();
         }
-        if let Some(value) = &file.links {
+        if let Some(value) = self.section(file, "links") {
             let read = link::links(reader, value);
-            self.unreadable |= value.get().is_none() || read.too_many;
+            self.unreadable |= read.too_many;
             self.lost_points |= read.lost_points;
             self.links = read.links;
             self.links_key = place("links");
         }
-        if let Some(value) = &file.slides {
+        if let Some(value) = self.section(file, "slides") {
             self.slides = slide::slides(reader, value);
-            self.unreadable |= value.get().is_none();
             self.lost_points |= self.slides.iter().any(|slide| slide.slider.is_none());
         }
-        if let (Some(value), Some(key)) = (&file.driver, place("driver")) {
+        if let (Some(value), Some(key)) = (self.section(file, "driver"), place("driver")) {
             self.driver = input::driver(reader, self.unit, &key, value);
-            self.unreadable |= value.get().is_none();
             self.driver_key = Some(key);
         }
-        if let Some(value) = &file.inputs {
+        if let Some(value) = self.section(file, "inputs") {
             self.timed = timed_inputs::read(reader, value);
-            self.unreadable |= value.get().is_none();
         }
     }
 
     /// Reads tolerances and clearances.
-    fn deviations(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
-        let general = file.tolerance.as_ref();
+    fn deviations(&mut self, reader: &mut Reader<'_>, file: &KeyTable<'v>) {
         let all = &mut self.tolerances;
-        all.general = general.and_then(|v| deviations::tolerance(reader, "`tolerance`", v));
-        if let Some(value) = &file.clearance {
-            all.clearance = deviations::clearance(reader, value);
+        all.general = deviations::tolerance_of(reader, file);
+        if let Some(value) = file.get("clearance") {
+            all.clearance = deviations::clearance(reader, "`clearance`", value);
         }
-        if let Some(value) = &file.tolerances {
+        if let Some(value) = file.get("tolerances") {
             all.points = deviations::points(reader, value);
         }
-        if let Some(value) = &file.clearances {
+        if let Some(value) = file.get("clearances") {
             all.pins = deviations::pins(reader, value);
         }
     }
 
     /// Reads the elements that name points without defining them.
-    fn references(&mut self, reader: &mut Reader<'_>, file: &'v SceneFile) {
+    fn references(&mut self, reader: &mut Reader<'_>, file: &KeyTable<'v>) {
         let before = reader.found.len();
-        if let Some(value) = &file.vectors {
+        if let Some(value) = file.get("vectors") {
             self.vectors = points::vectors(reader, value);
         }
-        if let Some(value) = &file.limits {
+        if let Some(value) = file.get("limits") {
             self.limits = limits::limits(reader, value);
         }
-        if let Some(value) = &file.loads {
+        if let Some(value) = file.get("loads") {
             self.loads = loads::loads(reader, value);
         }
-        if let Some(value) = &file.springs {
+        if let Some(value) = file.get("springs") {
             self.springs = spring::springs(reader, value);
         }
         self.lost_references = reader.found.len() > before;
@@ -236,7 +205,11 @@ impl<'v> SceneDraft<'v> {
 }
 
 /// Reads a text as one line: runs of white space become one space.
-pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>) -> Option<String> {
+pub fn line(
+    reader: &mut Reader<'_>,
+    key: &str,
+    value: Option<&WrittenValue<'_>>,
+) -> Option<String> {
     let text = reader.string(&format!("`{key}`"), value?)?.text;
     let parts: Vec<&str> = text.split_whitespace().collect();
     let shown = super::sanitized(&parts.join(" "), false);
@@ -244,7 +217,7 @@ pub fn line(reader: &mut Reader<'_>, key: &str, value: Option<&Lenient<String>>)
 }
 
 /// Reads the unit of lengths; an unknown one is reported and replaced.
-pub fn unit(reader: &mut Reader<'_>, value: Option<&Lenient<String>>) -> Unit {
+pub fn unit(reader: &mut Reader<'_>, value: Option<&WrittenValue<'_>>) -> Unit {
     let name = value.and_then(|value| reader.string("`unit`", value));
     let Some(name) = name else {
         return Unit::default();

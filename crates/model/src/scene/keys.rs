@@ -1,17 +1,18 @@
 //! The table of the keys of scene files, with descriptions and defaults.
 //!
 //! The table yields the diagnostics of unknown keys, the numbers that the workbench lists and
-//! edits, and the reference in the manual. The types for deserialization have one field for each
-//! row; a test checks this.
+//! edits, the rules and units of numbers as they are read, and the reference in the manual.
 
-use super::measure::Measure;
-use super::rate::Degree;
+use super::numbers::measure::Measure;
+use super::numbers::rate::Degree;
+use super::table::NumberRule;
 use crate::wording::{Wording, Words, words};
 
-/// A key of a table in a scene file.
-pub(super) struct SceneKey {
-    pub(super) name: &'static str,
-    pub(super) kind: KeyKind,
+/// A key of a table in a scene or a task.
+pub struct SceneKey {
+    /// The name in the file.
+    pub name: &'static str,
+    pub(crate) kind: KeyKind,
     /// The kinds of elements that have the key, each identified by its characteristic key. Empty if
     /// all kinds have it.
     of: &'static [&'static str],
@@ -42,10 +43,13 @@ impl KeyText {
 
 /// The kind of a key's value.
 #[derive(Clone, Copy)]
-pub(super) enum KeyKind {
-    /// A name, a text or a choice.
+pub enum KeyKind {
+    /// A name, a text or a choice, or a list of them.
     Text,
-    Number(NumberMeasure),
+    /// True or false.
+    Flag,
+    /// A number.
+    Number(NumberMeasure, NumberRule),
     /// `[low, high]`.
     Ends(NumberMeasure),
     /// `[x, y]`.
@@ -56,14 +60,21 @@ pub(super) enum KeyKind {
     Numbers(NumberMeasure),
     /// Named pairs.
     Points(NumberMeasure),
-    /// `[x, y]` on a link, or a length and an angle; `Places` are named ones.
+    /// A list of numbers.
+    Series(NumberMeasure),
+    /// A list of rows of numbers.
+    Rows,
+    /// `[x, y]` on a link, or a length and an angle.
     Place,
+    /// Named places.
     Places,
     /// Pairs of an argument and a value, with the name of the value.
     Knots([NumberMeasure; 2], &'static str),
-    /// A table, a table of named tables, or a list of tables.
+    /// A table.
     Table(&'static [SceneKey]),
+    /// Named tables.
     Each(&'static [SceneKey]),
+    /// A list of tables.
     List(&'static [SceneKey]),
     /// Named ranges, or tables of an angle and its range.
     Limits(&'static [SceneKey]),
@@ -79,8 +90,11 @@ pub(super) enum KeyKind {
 
 /// The quantity that a number measures.
 #[derive(Clone, Copy)]
-pub(super) enum NumberMeasure {
+pub enum NumberMeasure {
+    /// A measure.
     Of(Measure),
+    /// As `Of`; messages name the unit.
+    In(Measure),
     /// The coordinate of the driver, or of the input that the table belongs to.
     Driver,
     /// The coordinate of the driver, even if the table belongs to another input.
@@ -91,17 +105,24 @@ pub(super) enum NumberMeasure {
 
 impl NumberMeasure {
     /// Resolves the measure. `turns` is `true` if the input whose coordinate is meant drives a
-    /// link, and `false` if it drives a slide.
-    pub(super) fn measure(self, turns: bool) -> Measure {
-        match (self, turns) {
-            (NumberMeasure::Of(measure), _) => measure,
+    /// link, and `false` if it drives a slide; torsion springs have torques instead of forces.
+    pub(crate) fn measure(self, turns: bool, is_torsion: bool) -> Measure {
+        let measure = match (self, turns) {
+            (NumberMeasure::Of(measure) | NumberMeasure::In(measure), _) => measure,
             (NumberMeasure::Driver | NumberMeasure::DriverItself, true) => Measure::Angle,
             (NumberMeasure::Driver | NumberMeasure::DriverItself, false) => Measure::Coordinate,
             (NumberMeasure::Effort, true) => Measure::Torque,
             (NumberMeasure::Effort, false) => Measure::Force,
+        };
+        match is_torsion {
+            true => measure.of_torsion(),
+            false => measure,
         }
     }
 }
+
+/// The kind of a torsion spring.
+pub(crate) const TORSION: &str = "torsion";
 
 /// Converts a literal to typed text, and an identifier to the sentence of that name.
 macro_rules! key_text {
@@ -116,7 +137,7 @@ macro_rules! key_text {
 /// Builds tables from rows of `name: kind, of, words, default`.
 macro_rules! keys {
     ($($table:ident = $($name:literal: $kind:expr, $of:expr, $words:tt, $default:tt;)*)*) => {
-        $(pub(super) const $table: &[SceneKey] = &[$(SceneKey {
+        $(pub(crate) const $table: &[SceneKey] = &[$(SceneKey {
             name: $name,
             kind: $kind,
             of: &$of,
@@ -127,10 +148,11 @@ macro_rules! keys {
 }
 
 use KeyKind::{
-    Each, Ends, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters, Place, Places,
-    Points, Rate, Steps, Table, Text, Vectors,
+    Each, Ends, Flag, Formulas, Knots, Limits, List, Number, Numbers, Pair, Parameters, Place,
+    Places, Points, Rate, Rows, Series, Steps, Table, Text, Vectors,
 };
-use NumberMeasure::{Driver, DriverItself, Effort, Of};
+use NumberMeasure::{Driver, DriverItself, Effort, In, Of};
+use NumberRule::{Any, Arm, AtMostHalf, Distance, Known, NotNegative, Positive};
 
 keys! {
 SCENE =
@@ -139,8 +161,8 @@ SCENE =
     "note": Text, [], what_there_is_to_see, no_default;
     "unit": Text, [], unit_of_every_length, "`\"mm\"`";
     "parameters": Parameters, [], numbers_with_names, no_default;
-    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_lengths, exact_by_default;
-    "clearance": Number(Of(Measure::Deviation)), [], clearance_of_pins, "0";
+    "tolerance": Number(Of(Measure::Deviation), Any), [], tolerance_of_lengths, exact_by_default;
+    "clearance": Number(Of(Measure::Deviation), Any), [], clearance_of_pins, "0";
     "ground": Points(Of(Measure::Coordinate)), [], points_fixed_in_frame, no_default;
     "marks": Points(Of(Measure::Coordinate)), [], points_only_shown, no_default;
     "driver": Table(DRIVER), [], the_input, "";
@@ -152,7 +174,7 @@ SCENE =
     "limits": Limits(LIMIT), [], coordinates_between_stops, no_default;
     "loads": List(LOAD), [], any_number_of_loads, no_default;
     "springs": List(SPRING), [], any_number_of_springs, no_default;
-    "gravity": Pair(Of(Measure::Gravity)), [], acceleration_of_fall, "`[0, 0]`";
+    "gravity": Pair(In(Measure::Gravity)), [], acceleration_of_fall, "`[0, 0]`";
     "figures": Formulas, [], figures_by_formulas, no_default;
     "motor": Table(MOTOR), [], what_is_to_drive, no_default;
     "tolerances": Numbers(Of(Measure::Deviation)), [], tolerances_of_points, tolerance_of_link_or_scene;
@@ -163,50 +185,50 @@ DRIVER =
     "link": Text, ["link"], the_turning_link, "";
     "slide": Text, ["slide"], the_pushed_slide, "";
     "from": Text, ["link"], seat_of_driver, "`\"ground\"`";
-    "angle": Number(Of(Measure::Angle)), ["link"], opening_angle, "";
-    "position": Number(Of(Measure::Coordinate)), ["slide"], opening_position, "";
+    "angle": Number(Of(Measure::Angle), Any), ["link"], opening_angle, "";
+    "position": Number(Of(Measure::Coordinate), Any), ["slide"], opening_position, "";
     "range": Ends(Driver), [], range_of_driver, no_default;
     "speed": Rate(Degree::Speed), [], speed_of_driver, unit_speed;
     "acceleration": Rate(Degree::Acceleration), [], acceleration_of_driver, "0";
     "motion": Steps(STEP), [], motion_of_driver, no_default;
 
 STEP =
-    "law": Text, [], law_of_step, "";
-    "to": Number(Driver), [], end_of_step, "";
-    "time": Number(Of(Measure::Time)), [], time_of_step, "";
-    "ramp": Number(Of(Measure::Factor)), [], ramp_of_step, "`1/3`";
-    "knots": Knots([Of(Measure::Time), Driver], "coordinate"), [], knots_of_step, "";
-    "dwell": Number(Of(Measure::Time)), [], dwell_of_step, "";
+    "law": Text, ["constant", "harmonic", "cycloidal", "trapezoid", "table"], law_of_step, "";
+    "to": Number(Driver, Any), ["constant", "harmonic", "cycloidal", "trapezoid"], end_of_step, "";
+    "time": Number(In(Measure::Time), Positive), ["constant", "harmonic", "cycloidal", "trapezoid"], time_of_step, "";
+    "ramp": Number(Of(Measure::Factor), AtMostHalf), ["trapezoid"], ramp_of_step, "`1/3`";
+    "knots": Knots([Of(Measure::Time), Driver], "coordinate"), ["table"], knots_of_step, "";
+    "dwell": Number(In(Measure::Time), Positive), ["dwell"], dwell_of_step, "";
 
 TIMED =
-    "ratio": Number(Of(Measure::Factor)), [], ratio_of_input, "1";
-    "phase": Number(Driver), [], phase_of_input, "0";
+    "ratio": Number(Of(Measure::Factor), Any), [], ratio_of_input, "1";
+    "phase": Number(Driver, Any), [], phase_of_input, "0";
     "over": Knots([DriverItself, Driver], "value"), [], table_of_input, no_default;
     "from": Text, [], seat_of_driver, "`\"ground\"`";
 
 LINK =
     "from": Text, [], "", "";
     "to": Text, [], "", "";
-    "length": Number(Of(Measure::Length)), [], ends_and_their_distance, no_vector_by_default;
+    "length": Number(Of(Measure::Length), Distance), [], ends_and_their_distance, no_vector_by_default;
     "points": Places, [], points_in_link_frame, no_default;
     "com": Place, [], centre_in_link_frame, no_default;
-    "mass": Number(Of(Measure::Mass)), [], mass_of_link, "0";
-    "inertia": Number(Of(Measure::Inertia)), [], inertia_of_link, "0";
-    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_link, tolerance_of_scene;
+    "mass": Number(Of(Measure::Mass), NotNegative), [], mass_of_link, "0";
+    "inertia": Number(Of(Measure::Inertia), NotNegative), [], inertia_of_link, "0";
+    "tolerance": Number(Of(Measure::Deviation), Any), [], tolerance_of_link, tolerance_of_scene;
 
 PLACE =
     "from": Text, [], point_that_sees, origin_by_default;
-    "length": Number(Of(Measure::Length)), [], distance_of_place, "";
-    "angle": Number(Of(Measure::Angle)), [], direction_of_place, "";
+    "length": Number(Of(Measure::Length), Arm), [], distance_of_place, "";
+    "angle": Number(In(Measure::Angle), Any), [], direction_of_place, "";
 
 SLIDE =
     "point": Text, ["point"], pin_in_the_slot, "";
     "link": Text, ["link"], link_without_turning, "";
     "on": Text, [], what_carries_the_guide, "";
     "through": Pair(Of(Measure::Coordinate)), [], point_of_the_guide, "";
-    "angle": Number(Of(Measure::Angle)), [], angle_of_guide, "0";
-    "turn": Number(Of(Measure::Angle)), ["link"], turn_of_slider, "0";
-    "tolerance": Number(Of(Measure::Deviation)), [], tolerance_of_guide, tolerance_of_scene;
+    "angle": Number(In(Measure::Angle), Any), [], angle_of_guide, "0";
+    "turn": Number(In(Measure::Angle), Any), ["link"], turn_of_slider, "0";
+    "tolerance": Number(Of(Measure::Deviation), Any), [], tolerance_of_guide, tolerance_of_scene;
 
 LIMIT =
     "link": Text, [], "", "";
@@ -215,10 +237,10 @@ LIMIT =
 
 LOAD =
     "point": Text, ["force"], "", "";
-    "force": Pair(Of(Measure::Force)), ["force"], force_at_a_point, "";
+    "force": Pair(In(Measure::Force)), ["force"], force_at_a_point, "";
     "frame": Text, ["force"], frame_of_a_force, "`\"ground\"`";
     "link": Text, ["torque"], "", "";
-    "torque": Number(Of(Measure::Torque)), ["torque"], torque_on_a_link, "";
+    "torque": Number(In(Measure::Torque), Any), ["torque"], torque_on_a_link, "";
     "over": Knots([Driver, Of(Measure::Factor)], "factor"), ["force", "torque"], factor_over_driver, "1";
     "slide": Text, ["press"], "", "";
     "press": Knots([Of(Measure::Coordinate), Of(Measure::Force)], "size"), ["press"], press_of_a_slide, "";
@@ -227,36 +249,36 @@ LOAD =
 SPRING =
     "from": Text, ["spring", "gas"], "", "";
     "to": Text, [], ends_of_a_spring, "";
-    "stiffness": Number(Of(Measure::Stiffness)), ["spring", "torsion"], stiffness_of_spring, "0";
-    "length": Number(Of(Measure::Length)), ["spring"], free_length, "0";
+    "stiffness": Number(In(Measure::Stiffness), NotNegative), ["spring", "torsion"], stiffness_of_spring, "0";
+    "length": Number(Of(Measure::Length), NotNegative), ["spring"], free_length, "0";
     "force": Knots([Of(Measure::Length), Of(Measure::Force)], "size"), ["gas"], force_of_gas_spring, "";
     "link": Text, ["torsion"], link_of_torsion_spring, "";
-    "angle": Number(Of(Measure::Angle)), ["torsion"], free_angle, "0";
-    "preload": Number(Of(Measure::Force)), ["spring", "torsion"], preload_of_spring, "0";
-    "damping": Number(Of(Measure::Damping)), [], damping_of_spring, "0";
+    "angle": Number(In(Measure::Angle), Any), ["torsion"], free_angle, "0";
+    "preload": Number(In(Measure::Force), Any), ["spring", "torsion"], preload_of_spring, "0";
+    "damping": Number(In(Measure::Damping), NotNegative), [], damping_of_spring, "0";
 
 MOTOR =
-    "torque": Number(Of(Measure::Torque)), ["link"], rated_torque, unknown_by_default;
-    "force": Number(Of(Measure::Force)), ["slide"], rated_force, unknown_by_default;
-    "peak": Number(Effort), [], peak_of_motor, unknown_by_default;
+    "torque": Number(In(Measure::Torque), Known), ["link"], rated_torque, unknown_by_default;
+    "force": Number(In(Measure::Force), Known), ["slide"], rated_force, unknown_by_default;
+    "peak": Number(Effort, Known), [], peak_of_motor, unknown_by_default;
     "speed": Rate(Degree::Speed), [], rated_speed, unknown_by_default;
-    "flywheel": Number(Of(Measure::Inertia)), ["link"], flywheel_of_motor, "0";
-    "fluctuation": Number(Of(Measure::Factor)), ["link"], fluctuation_wished, no_default;
-    "rest": Number(Of(Measure::Length)), [], rest_of_ram, no_default;
-    "tolerance": Number(Of(Measure::Length)), [], "", "";
+    "flywheel": Number(In(Measure::Inertia), Known), ["link"], flywheel_of_motor, "0";
+    "fluctuation": Number(Of(Measure::Factor), Known), ["link"], fluctuation_wished, no_default;
+    "rest": Number(Of(Measure::Length), Known), [], rest_of_ram, no_default;
+    "tolerance": Number(Of(Measure::Length), Known), [], "", "";
 
 REDUNDANT =
-    "misfit": Number(Of(Measure::Length)), [], misfit_accepted, "0";
+    "misfit": Number(In(Measure::Length), NotNegative), [], misfit_accepted, "0";
 }
 
 /// Returns the row of a key.
-pub(super) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
+pub(crate) fn find(keys: &'static [SceneKey], name: &str) -> Option<&'static SceneKey> {
     keys.iter().find(|key| key.name == name)
 }
 
-/// Returns the names of the keys that an element of this kind has.
-pub(super) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
-    let fits = |key: &&SceneKey| key.of.is_empty() || key.of.contains(&kind);
+/// Returns the names of the keys that an element of this kind has; all keys if the kind is empty.
+pub(crate) fn of(keys: &'static [SceneKey], kind: &str) -> Vec<&'static str> {
+    let fits = |key: &&SceneKey| kind.is_empty() || key.of.is_empty() || key.of.contains(&kind);
     keys.iter().filter(fits).map(|key| key.name).collect()
 }
 
@@ -277,12 +299,30 @@ pub fn reference() -> String {
 }
 
 impl SceneKey {
+    /// Creates a row without a description; `of` lists the kinds that have the key, none for all.
+    #[must_use]
+    pub const fn new(name: &'static str, kind: KeyKind, of: &'static [&'static str]) -> SceneKey {
+        SceneKey {
+            name,
+            kind,
+            of,
+            words: KeyText::Typed(""),
+            default: KeyText::Typed(""),
+        }
+    }
+
+    /// Returns `true` if this kind has the key, and not every kind.
+    #[must_use]
+    pub fn is_of(&self, kind: &str) -> bool {
+        self.of.contains(&kind)
+    }
+
     /// Returns a section's heading as written in a file, and its keys; `None` for a plain key.
     fn heading(&self) -> Option<(String, &'static [SceneKey])> {
         let name = self.name;
         match self.kind {
-            Text | Number(_) | Ends(_) | Pair(_) | Rate(_) | Knots(..) | Place | Places
-            | Steps(_) => None,
+            Text | Flag | Number(..) | Series(_) | Rows | Ends(_) | Pair(_) | Rate(_)
+            | Knots(..) | Place | Places | Steps(_) => None,
             Numbers(_) | Points(_) | Vectors | Formulas | Parameters => {
                 Some((format!("[{name}]"), &[]))
             }
@@ -314,54 +354,112 @@ fn row(table: &mut String, name: &str, key: &SceneKey) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Lenient;
-    use crate::scene::{
-        draft, input, link, loads, motor, redundant, sighted, slide, spring, timed_inputs,
-        timed_motion,
-    };
+    use crate::scene::Scene;
     use crate::wording::Language;
-    use serde::Deserialize;
-    use serde::de::DeserializeOwned;
     use std::collections::BTreeSet;
-    use toml::de::ValueDeserializer;
 
-    /// Every row of a table has a field, and every field has a row.
-    #[test]
-    fn key_tables_match_deserialized_fields() {
-        fn read<T: DeserializeOwned>() -> &'static [&'static str] {
-            Lenient::<T>::deserialize(ValueDeserializer::parse("{}").unwrap())
-                .unwrap()
-                .known
-        }
-        for (table, read) in [
-            (SCENE, read::<draft::SceneFile>()),
-            (DRIVER, read::<input::DriverTable>()),
-            (STEP, read::<timed_motion::StepTable>()),
-            (LINK, read::<link::LinkTable>()),
-            (SLIDE, read::<slide::SlideTable>()),
-            (TIMED, read::<timed_inputs::TimedTable>()),
-            (LOAD, read::<loads::LoadTable>()),
-            (SPRING, read::<spring::SpringTable>()),
-            (MOTOR, read::<motor::MotorTable>()),
-            (REDUNDANT, read::<redundant::RedundantTable>()),
-        ] {
-            let rows: Vec<_> = table.iter().map(|key| key.name).collect();
-            assert_eq!(rows, read);
+    /// Returns `true` if a value of the wrong type is reported in a scene with these sections.
+    fn is_reported(sections: &[(&str, &str)]) -> bool {
+        let lines = sections
+            .iter()
+            .map(|(name, value)| format!("{name} = {value}\n"));
+        let text: String = lines.collect();
+        let faults = Scene::parse(&text, "t").unwrap_err();
+        let places = faults.items.iter().filter_map(|item| item.primary.as_ref());
+        places
+            .into_iter()
+            .any(|place| &text[place.span.clone()] == "true")
+    }
+
+    /// Returns the keys by which a table is of this kind.
+    fn characteristic(table: &str, kind: &str) -> Vec<(String, &'static str)> {
+        let named = |key: &str| vec![(key.to_owned(), "\"r2\"")];
+        match (table, kind) {
+            ("driver", "") => vec![("link".into(), "\"r2\""), ("angle".into(), "0")],
+            (_, TORSION) => named("link"),
+            ("motor" | "", _) | (_, "" | "spring") => Vec::new(),
+            ("motion", "dwell") => vec![("dwell".into(), "1")],
+            ("motion", law) => {
+                let known = [
+                    "\"constant\"",
+                    "\"harmonic\"",
+                    "\"cycloidal\"",
+                    "\"trapezoid\"",
+                    "\"table\"",
+                ];
+                let law = known
+                    .into_iter()
+                    .find(|known| known.trim_matches('"') == law);
+                vec![("law".into(), law.unwrap())]
+            }
+            (_, "force") => vec![("force".into(), "[1, 1]"), ("point".into(), "\"B\"")],
+            (_, "torque") => vec![("torque".into(), "1"), ("link".into(), "\"r2\"")],
+            (_, "press") => vec![("press".into(), "[[1, 1]]"), ("slide".into(), "\"r4\"")],
+            (_, "gas") => vec![("force".into(), "[[1, 1]]")],
+
+            (_, key) => named(key),
         }
     }
 
-    /// Hand-written code reads places by length and angle.
+    /// A key without code that reads it would accept any value.
     #[test]
-    fn place_table_matches_polar_keys() {
-        let rows = PLACE.iter().map(|key| key.name);
-        assert!(rows.eq(sighted::KEYS));
-    }
-
-    /// Hand-written code reads limits of angles.
-    #[test]
-    fn limit_table_matches_angle_keys() {
-        let rows = LIMIT.iter().map(|key| key.name);
-        assert!(rows.eq(crate::scene::limits::ANGLE_KEYS));
+    fn every_key_of_every_table_is_read() {
+        let tables: [(&str, &[SceneKey], [&str; 2]); 12] = [
+            ("", SCENE, ["", ""]),
+            ("driver", DRIVER, ["{ ", " }"]),
+            (
+                "motion",
+                STEP,
+                ["{ link = \"r2\", angle = 0, motion = [{ ", " }] }"],
+            ),
+            ("inputs", TIMED, ["{ r3 = { ", " } }"]),
+            ("links", LINK, ["{ r9 = { ", " } }"]),
+            ("links", PLACE, ["{ r9 = { points = { P = { ", " } } } }"]),
+            ("slides", SLIDE, ["{ r4 = { ", " } }"]),
+            ("limits", LIMIT, ["{ elbow = { ", " } }"]),
+            ("loads", LOAD, ["[{ ", " }]"]),
+            ("springs", SPRING, ["[{ ", " }]"]),
+            ("motor", MOTOR, ["{ ", " }"]),
+            ("redundant", REDUNDANT, ["{ ", " }"]),
+        ];
+        for (table, keys, [begin, end]) in tables {
+            for key in keys {
+                let kinds: &[&str] = if key.of.is_empty() { &[""] } else { key.of };
+                for kind in kinds {
+                    let mut pairs = characteristic(table, kind);
+                    pairs.retain(|(name, _)| name != key.name);
+                    pairs.push((key.name.to_owned(), "true"));
+                    let pairs = pairs
+                        .iter()
+                        .map(|(name, value)| format!("{name} = {value}"));
+                    let value = format!("{begin}{}{end}", pairs.collect::<Vec<_>>().join(", "));
+                    let section = match table {
+                        "" => (key.name, "true"),
+                        "motion" => ("driver", &*value),
+                        table => (table, &*value),
+                    };
+                    let driver = match *kind {
+                        "slide" => "{ slide = \"r4\", position = 1 }",
+                        _ => "{ link = \"r2\", angle = 0 }",
+                    };
+                    let others = [
+                        ("ground", "{ A = [0, 0] }"),
+                        ("driver", driver),
+                        (
+                            "links",
+                            "{ r2 = { from = \"A\", to = \"B\", length = 1 }, r3 = { from = \"B\", to = \"C\", length = 2 } }",
+                        ),
+                        (
+                            "slides",
+                            "{ r4 = { point = \"C\", on = \"ground\", through = \"A\" } }",
+                        ),
+                    ];
+                    let mut sections = vec![section];
+                    sections.extend(others.into_iter().filter(|(name, _)| *name != section.0));
+                    assert!(is_reported(&sections), "{table}: {} of {kind}", key.name);
+                }
+            }
+        }
     }
 
     /// The reference describes every key, and has the same rows in both languages.

@@ -43,76 +43,55 @@
 //! cause and fix. Faults of the mechanism as a whole are found by the solver, and
 //! [`Scene::explain`] reports them in the same form.
 
+mod accuracy;
+mod acting;
 mod defect;
-mod dependents;
-mod deviations;
 mod draft;
-mod figures;
-mod frame;
-mod general_tolerance;
-mod guide;
-mod input;
+mod elements;
+mod inputs;
 mod keys;
-mod limits;
-mod link;
-mod load_names;
-mod loads;
-mod measure;
-mod motor;
 mod names;
-mod numeral;
-mod parameters;
-mod points;
+mod numbers;
 #[cfg(test)]
 #[path = "../../../../src/scene/presets.rs"]
 pub mod presets;
-mod profile;
-mod rate;
-mod reader;
-mod redundant;
 mod resolve;
-mod retell;
 mod rewrite;
-mod sighted;
-mod slide;
-mod spring;
-mod spring_ends;
 mod syntax;
-mod timed_inputs;
-mod timed_motion;
-mod typed;
-mod typed_tolerance;
-mod unit;
+mod table;
 mod values;
-mod worked;
 
 pub use crate::document::{Diagnostic, Diagnostics, Label, is_harmful, sanitized};
-pub(crate) use dependents::DependentValues;
 #[doc(hidden)]
 pub use draft::{line, unit};
-pub use figures::NamedFormula;
 #[doc(hidden)]
-pub use input::coordinate_key;
+pub use inputs::input::coordinate_key;
+pub use inputs::motor::Motor;
 pub use keys::reference;
-pub use measure::Measure;
-pub use motor::Motor;
+#[doc(hidden)]
+pub use keys::{KeyKind, NumberMeasure, SceneKey};
 #[doc(hidden)]
 pub use names::{is_figure_name, reserved_for_figures};
+pub(crate) use numbers::dependents::DependentValues;
+pub use numbers::figures::NamedFormula;
+pub use numbers::measure::Measure;
 #[doc(hidden)]
-pub use numeral::{are_thousands, with_point};
-pub use parameters::Parameter;
+pub use numbers::numeral::{are_thousands, with_point};
+pub use numbers::parameters::Parameter;
 #[doc(hidden)]
-pub use retell::toml_string;
+pub use numbers::rate::Degree;
+pub use numbers::typed::ValueError;
+pub use numbers::unit::Unit;
 pub use rewrite::Precision;
 #[doc(hidden)]
-pub use rewrite::{figure, key};
+pub use rewrite::{figure, key, toml_string};
 #[doc(hidden)]
 pub use syntax::mend;
-pub use typed::ValueError;
-pub use unit::Unit;
+#[doc(hidden)]
+pub use table::{KeyTable, NumberRule};
 pub use values::{Value, ValueOwner};
 
-use crate::document::{self, NamedNumbers};
+use crate::document::{self, NamedNumbers, Reader};
 use crate::wording::words;
 use crate::{
     Body, ElementId, Input, LimitId, LinkId, Mechanism, MotionLaw, PointId, SlideId, Tolerances,
@@ -158,7 +137,7 @@ pub struct Scene {
     #[doc(hidden)]
     pub slide_names: Vec<String>,
     /// The names of the limits, with the places of their ends in the text.
-    limits: limits::LimitPlaces,
+    limits: elements::limits::LimitPlaces,
     tolerances: Tolerances,
     places: TextPlaces,
     origin: String,
@@ -218,10 +197,10 @@ impl Scene {
             return Err(too_large(origin));
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut reader = reader::Reader::new(text);
+        let mut reader = Reader::new(text);
         let root = document::parse(&mut reader, syntax::mend);
-        let scene = root.and_then(|root| {
-            let draft = draft::read(&mut reader, &root);
+        let scene = root.as_ref().and_then(|root| {
+            let draft = draft::read(&mut reader, root);
             let resolved = resolve::resolve(&mut reader, &draft)?;
             let figures = draft.figures.into_iter();
             Some(Scene {
@@ -234,7 +213,7 @@ impl Scene {
                 figures: figures.filter_map(|figure| figure.formula).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,
-                parameters: parameters::told(&reader.named, draft.parameters),
+                parameters: numbers::parameters::told(&reader.named, draft.parameters),
                 named: Arc::new(std::mem::take(&mut reader.named)),
                 point_names: resolved.point_names,
                 link_names: resolved.link_names,
@@ -251,7 +230,7 @@ impl Scene {
             scene.tolerances = scene.in_order_of_names(tolerances);
             scene
         });
-        let scene = scene.filter(|scene| worked::measures_fit(&mut reader, scene));
+        let scene = scene.filter(|scene| numbers::worked::measures_fit(&mut reader, scene));
         scene.ok_or_else(|| reader.into_diagnostics(origin))
     }
 

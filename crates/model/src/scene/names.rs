@@ -1,9 +1,9 @@
 //! The common namespace of points, links, slides and vectors.
 
 use super::draft::SceneDraft;
+use super::elements::slide::DraftSlider;
 use super::keys;
-use super::reader::{ByteSpan, Name, Reader, quoted};
-use super::slide::DraftSlider;
+use super::numbers::reader::{ByteSpan, Name, Reader, quoted};
 use crate::document::Diagnostic;
 use crate::expression;
 use crate::nearest::did_you_mean;
@@ -22,7 +22,7 @@ const LISTED: usize = 12;
 
 /// The kinds of named elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Sort {
+pub(crate) enum Sort {
     Point,
     Link,
     Slide,
@@ -65,7 +65,7 @@ struct Symbol {
 }
 
 /// All names of a scene.
-pub(super) struct Names<'t> {
+pub(crate) struct Names<'t> {
     /// The elements of each name, indexed by [`Sort`]. A name with two meanings keeps both after
     /// the clash has been reported.
     symbols: HashMap<&'t str, [Option<Symbol>; Sort::COUNT]>,
@@ -76,7 +76,7 @@ pub(super) struct Names<'t> {
 impl<'t> Names<'t> {
     /// Collects every name that the draft defines, in the order of the file. A point is defined by
     /// the ground, a link or a slide that names it. Reports invalid names and clashes.
-    pub(super) fn collect(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Self {
+    pub(crate) fn collect(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Self {
         let mut names = Names {
             symbols: HashMap::new(),
             points: Vec::new(),
@@ -134,13 +134,13 @@ impl<'t> Names<'t> {
     }
 
     /// Returns the points in the order of the file, each with the place that first names it.
-    pub(super) fn points(&self) -> impl Iterator<Item = (&'t str, &ByteSpan)> {
+    pub(crate) fn points(&self) -> impl Iterator<Item = (&'t str, &ByteSpan)> {
         self.points.iter().map(|(name, span)| (*name, span))
     }
 
     /// Returns the position of a named element of this kind; reports an unknown name, or one of
     /// another kind.
-    pub(super) fn find(
+    pub(crate) fn find(
         &self,
         reader: &mut Reader<'_>,
         what: &str,

@@ -1,16 +1,17 @@
 //! Resolves the names of a draft and builds the mechanism.
 
-use super::deviations::Settling;
+use super::accuracy::deviations::Settling;
 use super::draft::SceneDraft;
-use super::input::DraftInput;
-use super::limits::LimitPlaces;
-use super::link::DraftLink;
+use super::elements::limits::LimitPlaces;
+use super::elements::link::DraftLink;
+use super::elements::points::PlacedPoint;
+use super::elements::redundant;
+use super::elements::sighted::Sighted;
+use super::elements::slide::{DraftSlide, DraftSlider};
+use super::inputs::input::DraftInput;
 use super::names::{Names, Sort};
-use super::points::PlacedPoint;
-use super::reader::{ByteSpan, Name, Reader};
-use super::sighted::Sighted;
-use super::slide::{DraftSlide, DraftSlider};
-use super::{TextPlaces, Vector, VectorKind, defect, redundant};
+use super::numbers::reader::{ByteSpan, Name, Reader};
+use super::{TextPlaces, Vector, VectorKind, defect};
 use crate::document::Diagnostic;
 use crate::nearest::nearest;
 use crate::wording::words;
@@ -18,19 +19,19 @@ use crate::{Builder, Driver, LinkId, Mechanism, PointId, SlideId, Tolerances, me
 use std::collections::{HashMap, HashSet};
 
 /// The parts of a scene that depend on resolved names.
-pub(super) struct Resolved {
-    pub(super) mechanism: Mechanism,
-    pub(super) vectors: Vec<Vector>,
-    pub(super) point_names: Vec<Option<String>>,
-    pub(super) link_names: Vec<String>,
-    pub(super) slide_names: Vec<String>,
-    pub(super) limits: LimitPlaces,
-    pub(super) tolerances: Tolerances,
-    pub(super) places: TextPlaces,
+pub(crate) struct Resolved {
+    pub(crate) mechanism: Mechanism,
+    pub(crate) vectors: Vec<Vector>,
+    pub(crate) point_names: Vec<Option<String>>,
+    pub(crate) link_names: Vec<String>,
+    pub(crate) slide_names: Vec<String>,
+    pub(crate) limits: LimitPlaces,
+    pub(crate) tolerances: Tolerances,
+    pub(crate) places: TextPlaces,
 }
 
 /// Resolves names and builds the mechanism; returns `None` if any diagnostic was reported.
-pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Option<Resolved> {
+pub(crate) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Option<Resolved> {
     if draft.unreadable {
         return None;
     }
@@ -55,22 +56,22 @@ pub(super) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Op
 }
 
 /// The state of resolving: the mechanism under construction and the ids of its elements.
-pub(super) struct Resolver<'r, 's, 't> {
-    pub(super) reader: &'r mut Reader<'s>,
-    pub(super) draft: &'r SceneDraft<'t>,
-    pub(super) names: &'r Names<'t>,
-    pub(super) builder: Builder,
-    pub(super) ground: HashMap<&'t str, &'r PlacedPoint<'t>>,
-    pub(super) points: HashMap<&'t str, PointId>,
+pub(crate) struct Resolver<'r, 's, 't> {
+    pub(crate) reader: &'r mut Reader<'s>,
+    pub(crate) draft: &'r SceneDraft<'t>,
+    pub(crate) names: &'r Names<'t>,
+    pub(crate) builder: Builder,
+    pub(crate) ground: HashMap<&'t str, &'r PlacedPoint<'t>>,
+    pub(crate) points: HashMap<&'t str, PointId>,
     /// Points used by slides, vectors and loads, which do not define them.
-    pub(super) referred: HashSet<&'t str>,
+    pub(crate) referred: HashSet<&'t str>,
     /// The centres of mass, by the link's index in the draft.
     centres: HashMap<usize, PointId>,
-    pub(super) slides: HashMap<&'t str, SlideId>,
+    pub(crate) slides: HashMap<&'t str, SlideId>,
     /// The slides added to the builder, by id.
     built_slides: Vec<&'r DraftSlide<'t>>,
     point_names: Vec<Option<String>>,
-    pub(super) limit_places: LimitPlaces,
+    pub(crate) limit_places: LimitPlaces,
     vectors: Vec<(ByteSpan, Vector)>,
     places: TextPlaces,
 }
@@ -181,7 +182,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     /// Records a slide added to the builder.
-    pub(super) fn push_slide(&mut self, slide: &'r DraftSlide<'t>, id: SlideId) {
+    pub(crate) fn push_slide(&mut self, slide: &'r DraftSlide<'t>, id: SlideId) {
         self.slides.insert(slide.name.text, id);
         self.built_slides.push(slide);
         self.places.slides.push(slide.name.span.clone());
@@ -227,7 +228,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     /// Resolves a link that an input turns, relative to the ground or to the link that carries its
     /// motor.
-    pub(super) fn turned_link(
+    pub(crate) fn turned_link(
         &mut self,
         [what, seat]: [&str; 2],
         name: &Name<'t>,
@@ -253,7 +254,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
 
     /// Resolves a driven link. Reports a link pinned to the ground at two places, which cannot
     /// turn.
-    pub(super) fn driven_link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
+    pub(crate) fn driven_link(&mut self, what: &str, name: &Name<'t>) -> Option<LinkId> {
         let link = self.names.find(self.reader, what, name, Sort::Link);
         if link.is_none() && self.slides.contains_key(name.text) {
             self.reader.help(words().driven_slide_is_given());
@@ -331,7 +332,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
     }
 
     /// Resolves a point by its name; `r3.com` is the centre of mass of `r3`.
-    pub(super) fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
+    pub(crate) fn point(&mut self, what: &str, name: &Name<'t>) -> Option<PointId> {
         if let Some(link) = name.text.strip_suffix(".com") {
             return self.centre(what, name, link);
         }

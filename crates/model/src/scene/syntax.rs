@@ -1,6 +1,6 @@
 //! Suggests fixes for common mistakes in the TOML syntax of a scene.
 
-use super::numeral::number_length;
+use super::numbers::numeral::number_length;
 use crate::document::ByteSpan;
 use crate::expression;
 use crate::wording::words;

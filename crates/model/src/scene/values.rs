@@ -5,7 +5,7 @@
 
 mod collector;
 
-use super::measure::{Measure, MeasureUnits};
+use super::numbers::measure::{Measure, MeasureUnits};
 use super::rewrite::Edits;
 use super::{Scene, Unit};
 use crate::document::NamedNumbers;
@@ -51,18 +51,18 @@ pub struct Value {
     /// The bytes of the text that [`Scene::with_value`] replaces.
     pub place: Range<usize>,
     /// The scene's unit of length.
-    pub(super) scene: Unit,
+    pub(crate) scene: Unit,
     /// Whether a replacement text needs quotes.
     quotes: bool,
     /// The dimension of its formula, if a unit determines it.
-    pub(super) dimension: Option<Dimension>,
+    pub(crate) dimension: Option<Dimension>,
     /// The names available to formulas.
-    pub(super) named: Arc<NamedNumbers>,
+    pub(crate) named: Arc<NamedNumbers>,
 }
 
 impl Value {
     /// Creates a value typed outside the scene, without a place in the text.
-    pub(super) fn beside(scene: &Scene, measure: Measure) -> Value {
+    pub(crate) fn beside(scene: &Scene, measure: Measure) -> Value {
         Value {
             name: String::new(),
             owner: ValueOwner::Scene,
@@ -227,7 +227,7 @@ fn dotted(name: &str) -> String {
 }
 
 /// Quotes a formula as TOML text; characters of a formula need no escapes.
-pub(super) fn quoted(formula: &str) -> String {
+pub(crate) fn quoted(formula: &str) -> String {
     format!("\"{formula}\"")
 }
 

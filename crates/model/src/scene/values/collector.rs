@@ -2,22 +2,17 @@
 
 use super::{Value, ValueOwner};
 use crate::Input;
-use crate::document::{Lenient, Misplaced, NamedNumbers};
+use crate::document::{NamedNumbers, WrittenValue, entries, items, number_of};
 use crate::scene::keys::{self, KeyKind, NumberMeasure, SceneKey};
-use crate::scene::measure::{Measure, MeasureUnits};
-use crate::scene::rate::{self, Degree, WrittenRate};
-use crate::scene::reader::number_of;
+use crate::scene::numbers::measure::{Measure, MeasureUnits};
+use crate::scene::numbers::rate::{self, Degree, WrittenRate};
 use crate::scene::{Scene, Unit};
-use serde::Deserialize;
 use std::collections::HashMap;
 use std::sync::Arc;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue, ValueDeserializer};
-
-type SpannedValue<'t> = Spanned<DeValue<'t>>;
+use toml::de::DeTable;
 
 /// Returns all values of a scene, in the order of the file.
-pub(super) fn values(scene: &Scene) -> Vec<Value> {
+pub(crate) fn values(scene: &Scene) -> Vec<Value> {
     let Ok(root) = DeTable::parse(scene.text()) else {
         // Parsing succeeded before, when the scene was read.
         return Vec::new();
@@ -75,13 +70,18 @@ impl Collector<'_> {
         &mut self,
         key: &SceneKey,
         (of, name): (&str, &str),
-        value: &SpannedValue<'_>,
+        value: &WrittenValue<'_>,
         again: &str,
     ) {
         let name = join(of, name);
         match key.kind {
-            KeyKind::Text | KeyKind::Vectors | KeyKind::Formulas => {}
-            KeyKind::Number(size) => self.number(name + again, size, value),
+            KeyKind::Text
+            | KeyKind::Flag
+            | KeyKind::Series(_)
+            | KeyKind::Rows
+            | KeyKind::Vectors
+            | KeyKind::Formulas => {}
+            KeyKind::Number(size, _) => self.number(name + again, size, value),
             KeyKind::Parameters => each(value, |parameter, at| {
                 let size = NumberMeasure::Of(Measure::Parameter);
                 self.of(ValueOwner::Parameter(parameter.to_owned()), |its| {
@@ -101,7 +101,7 @@ impl Collector<'_> {
                 });
             }),
             KeyKind::Steps(keys) => {
-                for (number, step) in items(value).enumerate() {
+                for (number, step) in list(value).enumerate() {
                     let called = format!("{of} step {}", number + 1);
                     self.inner(keys, &called, step);
                 }
@@ -145,14 +145,14 @@ impl Collector<'_> {
                 self.turns = turns;
             }),
             KeyKind::List(keys) => {
-                let tables = items(value).filter_map(|item| item.get_ref().as_table());
+                let tables = list(value).filter_map(|item| item.get_ref().as_table());
                 tables.for_each(|table| self.acting(keys, table));
             }
         }
     }
 
     /// Collects a limit of a slide or link, named after it, or of the angle of a link.
-    fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
+    fn limit(&mut self, keys: &'static [SceneKey], name: &str, value: &WrittenValue<'_>) {
         let called = format!("{name} limit");
         if let Some(table) = value.get_ref().as_table() {
             let link = table.get("link").and_then(|link| link.get_ref().as_str());
@@ -168,8 +168,8 @@ impl Collector<'_> {
         });
     }
 
-    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
-        for (end, item) in ["low", "high"].into_iter().zip(items(value)) {
+    fn ends(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
+        for (end, item) in ["low", "high"].into_iter().zip(list(value)) {
             self.number(format!("{name} {end}{behind}"), size, item);
         }
     }
@@ -181,7 +181,7 @@ impl Collector<'_> {
         self.owner = before;
     }
 
-    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &SpannedValue<'_>) {
+    fn inner(&mut self, keys: &'static [SceneKey], name: &str, value: &WrittenValue<'_>) {
         if let Some(table) = value.get_ref().as_table() {
             self.table(keys, name, table, "");
         }
@@ -229,10 +229,10 @@ impl Collector<'_> {
         what: &str,
         again: &str,
         (sizes, called): ([NumberMeasure; 2], &str),
-        list: &SpannedValue<'_>,
+        knots: &WrittenValue<'_>,
     ) {
-        for (i, knot) in items(list).enumerate() {
-            let parts = items(knot).zip(["at", called]).zip(sizes);
+        for (i, knot) in list(knots).enumerate() {
+            let parts = list(knot).zip(["at", called]).zip(sizes);
             for ((item, part), size) in parts {
                 let name = format!("{what} knot {} {part}{again}", i + 1);
                 self.number(name, size, item);
@@ -251,44 +251,42 @@ impl Collector<'_> {
         }
     }
 
-    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &SpannedValue<'_>) {
-        for (axis, item) in ["x", "y"].into_iter().zip(items(value)) {
+    fn pair(&mut self, name: &str, behind: &str, size: NumberMeasure, value: &WrittenValue<'_>) {
+        for (axis, item) in ["x", "y"].into_iter().zip(list(value)) {
             self.number(format!("{name} {axis}{behind}"), size, item);
         }
     }
 
     /// Collects a place on a link: coordinates, or a length and an angle.
-    fn place(&mut self, name: &str, again: &str, value: &SpannedValue<'_>) {
+    fn place(&mut self, name: &str, again: &str, value: &WrittenValue<'_>) {
         match value.get_ref().as_table() {
             Some(table) => self.table(keys::PLACE, name, table, again),
             None => self.pair(name, again, NumberMeasure::Of(Measure::Coordinate), value),
         }
     }
 
-    fn number(&mut self, name: String, size: NumberMeasure, value: &SpannedValue<'_>) {
-        let Ok(read) = Lenient::deserialize(ValueDeserializer::from(value.clone())) else {
-            return;
-        };
+    fn number(&mut self, name: String, size: NumberMeasure, value: &WrittenValue<'_>) {
         let place = value.span();
-        let (number, formula, dimension) = match number_of(self.text, &read) {
-            Ok(number) => (number, None, None),
-            Err(Misplaced::Text(text)) => {
-                let Ok(found) = self.named.worth_of_text(text) else {
-                    return;
-                };
-                let number = found.nearest();
-                (number, Some(text.clone()), found.dimension)
-            }
-            Err(_) => return,
-        };
+        let (number, formula, dimension) =
+            match (number_of(self.text, value), value.get_ref().as_str()) {
+                (Some(number), _) => (number, None, None),
+                (None, Some(text)) => {
+                    let Ok(found) = self.named.worth_of_text(text) else {
+                        return;
+                    };
+                    let number = found.nearest();
+                    (number, Some(text.to_owned()), found.dimension)
+                }
+                (None, None) => return,
+            };
         let turns = match size {
             NumberMeasure::DriverItself => self.driver_turns,
-            NumberMeasure::Of(_) | NumberMeasure::Driver | NumberMeasure::Effort => self.turns,
+            NumberMeasure::Of(_)
+            | NumberMeasure::In(_)
+            | NumberMeasure::Driver
+            | NumberMeasure::Effort => self.turns,
         };
-        let measure = match (size.measure(turns), self.is_torsion) {
-            (measure, true) => measure.of_torsion(),
-            (measure, false) => measure,
-        };
+        let measure = size.measure(turns, self.is_torsion);
         let written = || self.text[place.clone()].to_owned();
         self.found.push(Value {
             name,
@@ -308,7 +306,7 @@ impl Collector<'_> {
 
     /// Collects a quoted number with a unit. The quotes stay unchanged, unless the text contains
     /// escapes.
-    fn rate(&mut self, name: &str, degree: Degree, value: &SpannedValue<'_>) {
+    fn rate(&mut self, name: &str, degree: Degree, value: &WrittenValue<'_>) {
         let measure = Measure::of_rate(degree, self.turns);
         let (Some(text), MeasureUnits::Rate(kind, degree)) =
             (value.get_ref().as_str(), measure.units(self.unit))
@@ -350,10 +348,9 @@ impl Collector<'_> {
     }
 }
 
-/// Returns the items of a list; empty for another value.
-fn items<'v>(value: &'v SpannedValue<'v>) -> impl Iterator<Item = &'v SpannedValue<'v>> {
-    let items = value.get_ref().as_array();
-    items.into_iter().flat_map(|items| items.iter())
+/// Returns the items of a list; none for another value.
+fn list<'v>(value: &'v WrittenValue<'v>) -> impl Iterator<Item = &'v WrittenValue<'v>> {
+    items(value).into_iter().flatten()
 }
 
 /// Joins the names of an owner, which may be empty, and of its part.
@@ -366,10 +363,9 @@ fn join(of: &str, name: &str) -> String {
 }
 
 /// Visits the entries of a table; does nothing for another value.
-fn each<'v>(value: &'v SpannedValue<'v>, mut take: impl FnMut(&str, &'v SpannedValue<'v>)) {
-    if let DeValue::Table(table) = value.get_ref() {
-        for (key, value) in table {
-            take(key.get_ref(), value);
-        }
+fn each<'v>(value: &'v WrittenValue<'v>, mut take: impl FnMut(&str, &'v WrittenValue<'v>)) {
+    let table = value.get_ref().as_table();
+    for (name, value) in table.into_iter().flat_map(entries) {
+        take(name.text, value);
     }
 }

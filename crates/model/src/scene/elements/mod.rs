@@ -1,0 +1,9 @@
+//! The elements of a mechanism: links, places on them, slides, vectors and limits.
+
+pub(super) mod frame;
+pub(super) mod limits;
+pub(super) mod link;
+pub(super) mod points;
+pub(super) mod redundant;
+pub(super) mod sighted;
+pub(super) mod slide;

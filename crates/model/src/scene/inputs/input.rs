@@ -1,0 +1,320 @@
+//! Reads the driver.
+
+use crate::document::{Diagnostic, WrittenValue};
+use crate::nearest::did_you_mean;
+use crate::scene::elements::limits::{self, DraftEnds};
+use crate::scene::inputs::timed_motion::{self, MotionFrame};
+use crate::scene::numbers::rate::{self, Degree, Misfit, Rate, RateKind};
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader};
+use crate::scene::table::KeyTable;
+use crate::scene::{Unit, keys};
+use crate::wording::words;
+use crate::{Double, Mechanism, MotionLaw};
+use toml::de::DeValue;
+
+#[derive(Debug)]
+pub(crate) struct DraftDriver<'t> {
+    /// The link or slide named by the key `link` or `slide`.
+    pub(crate) input: DraftInput<'t>,
+    /// The link that carries the motor of a driven link; `None` if the ground carries it.
+    pub(crate) from: Option<Name<'t>>,
+    pub(crate) start: f64,
+    /// The range of the coordinate.
+    pub(crate) range: Option<DraftEnds>,
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
+    /// Whether the speed or the acceleration was converted from another unit.
+    pub(crate) is_converted: bool,
+    /// The given speed and acceleration as double-doubles, if both are known.
+    pub(crate) typed_rates: Option<[Double; 2]>,
+    /// The motion over time.
+    pub(crate) motion: Option<MotionLaw>,
+}
+
+#[derive(Debug)]
+pub(crate) enum DraftInput<'t> {
+    Link(Name<'t>),
+    Slide(Name<'t>),
+}
+
+/// The speed if the file has none: one unit of the coordinate per second, so that velocities equal
+/// the kinematic coefficients.
+const UNIT_SPEED: f64 = 1.0;
+
+/// The keys of one kind of driver.
+pub(crate) struct DriverForm {
+    /// The key that names the driven element.
+    pub(crate) driven: &'static str,
+    /// The key of the coordinate.
+    coordinate: &'static str,
+    /// The key of the other kind's coordinate.
+    other: &'static str,
+    /// The key of the motor's effort.
+    pub(crate) effort: &'static str,
+    example: &'static str,
+}
+
+pub(crate) const TURNED: DriverForm = DriverForm {
+    driven: "link",
+    coordinate: "angle",
+    other: "position",
+    effort: "torque",
+    example: r#"link = "r2", angle = 60, speed = "15 rad/s""#,
+};
+
+pub(crate) const PUSHED: DriverForm = DriverForm {
+    driven: "slide",
+    coordinate: "position",
+    other: "angle",
+    effort: "force",
+    example: r#"slide = "r4", position = 120, speed = "50 mm/s""#,
+};
+
+/// Returns the key of the driver's coordinate.
+pub fn coordinate_key(mechanism: &Mechanism) -> &'static str {
+    let form = match mechanism.driver().input {
+        crate::Input::Turn(_) => TURNED,
+        crate::Input::Push(_) => PUSHED,
+    };
+    form.coordinate
+}
+
+/// Reads the section; `key` is the place of its name.
+pub(crate) fn driver<'v>(
+    reader: &mut Reader<'_>,
+    unit: Unit,
+    key: &ByteSpan,
+    value: &'v WrittenValue<'v>,
+) -> Option<DraftDriver<'v>> {
+    let example = format!("{{ {} }}", TURNED.example);
+    let names = ["[driver]", words().the_driver()];
+    let mut table = reader.open(names, keys::DRIVER, &example, value)?;
+    let (form, kind) = match (table.has("link"), table.has("slide")) {
+        (true, false) => (TURNED, RateKind::Turn),
+        (false, true) => (PUSHED, RateKind::Push(unit)),
+        (false, false) => {
+            neither(reader, &table, key);
+            return None;
+        }
+        (true, true) => {
+            let fault = Diagnostic::new(words().driver_has_both());
+            reader.report(both_forms(fault.at(key.clone(), words().one_is_driven())));
+            return None;
+        }
+    };
+    table.kind = form.driven;
+    let table = &table;
+    let name = reader.text_of(table, form.driven);
+    // The check of the keys reports a `from` of a driven slide.
+    let given_seat = table.get("from").filter(|_| kind == RateKind::Turn);
+    let from = seat(reader, words().the_driver(), kind, given_seat);
+    let start = match table.key(form.other) {
+        Some(other) if !table.has(form.coordinate) => {
+            other_coordinate(reader, other, &form);
+            None
+        }
+        _ => start(reader, table, &form, key),
+    };
+    let speed = rate(reader, table, "speed", kind, Degree::Speed);
+    let acceleration = rate(reader, table, "acceleration", kind, Degree::Acceleration);
+    let range = range(reader, kind, table);
+    let motion = motion(reader, table, start, kind, range.as_ref());
+    let name = name?;
+    if given_seat.is_some() && from.is_none() {
+        return None;
+    }
+    let rates = [speed, acceleration];
+    let typed = |rate: Option<Rate>, default: f64| match rate {
+        Some(rate) => rate.typed,
+        None => Some(Double::exactly(default)),
+    };
+    let typed_rates = typed(speed, UNIT_SPEED).zip(typed(acceleration, 0.0));
+    let typed_rates = typed_rates.filter(|_| motion.is_none());
+    let [speed, acceleration] = rates.map(|rate| rate.map(|rate| rate.value));
+    Some(DraftDriver {
+        input: match kind {
+            RateKind::Turn => DraftInput::Link(name),
+            RateKind::Push(_) => DraftInput::Slide(name),
+        },
+        from,
+        start: start.unwrap_or(0.0),
+        range,
+        speed: speed.unwrap_or(UNIT_SPEED),
+        acceleration: acceleration.unwrap_or(0.0),
+        is_converted: rates.into_iter().flatten().any(|rate| rate.is_converted)
+            // The speeds of a motion law are per degree.
+            || motion.is_some(),
+        typed_rates: typed_rates.map(<[Double; 2]>::from),
+        motion,
+    })
+}
+
+/// Reads the link that carries the motor of an input. Reports a driven slide that has one: its
+/// guide takes that role.
+pub(crate) fn seat<'v>(
+    reader: &mut Reader<'_>,
+    of: &str,
+    kind: RateKind,
+    given: Option<&'v WrittenValue<'v>>,
+) -> Option<Name<'v>> {
+    let given = given?;
+    let from = reader.string(&words().key_of("from", of), given)?;
+    match kind {
+        RateKind::Turn => Some(from),
+        RateKind::Push(_) => {
+            reader.report(
+                Diagnostic::new(words().slide_has_its_guide(of))
+                    .at(from.span.clone(), words().not_of_a_slide())
+                    .help(words().seat_is_for_links()),
+            );
+            None
+        }
+    }
+}
+
+/// Reads the motion over time. Reports a speed or an acceleration given together with it.
+fn motion(
+    reader: &mut Reader<'_>,
+    table: &KeyTable<'_>,
+    start: Option<f64>,
+    kind: RateKind,
+    range: Option<&DraftEnds>,
+) -> Option<MotionLaw> {
+    let given = table.get("motion")?;
+    for key in ["speed", "acceleration"] {
+        if let Some(beside) = table.key(key) {
+            timed_motion::alone(reader, key, &beside.span);
+        }
+    }
+    let frame = MotionFrame {
+        start: start?,
+        turns: kind == RateKind::Turn,
+        range,
+    };
+    let what = table.what(reader, "motion");
+    timed_motion::read(reader, &frame, &what, given)
+}
+
+fn range(reader: &mut Reader<'_>, kind: RateKind, table: &KeyTable<'_>) -> Option<DraftEnds> {
+    let what = table.what(reader, "range");
+    let range = limits::range(reader, &what, table.get("range")?);
+    if let (Some(range), RateKind::Turn) = (&range, kind) {
+        limits::check_turns(reader, &what, range);
+    }
+    range
+}
+
+/// Reports a driver without a link or slide, unless a misspelt key explains it.
+fn neither(reader: &mut Reader<'_>, table: &KeyTable<'_>, key: &ByteSpan) {
+    reader.only_known(table);
+    if !table.meant("link") && !table.meant("slide") {
+        let fault = Diagnostic::new(words().driver_has_neither());
+        reader.report(both_forms(
+            fault.at(key.clone(), words().nothing_is_driven()),
+        ));
+    }
+}
+
+fn both_forms(fault: Diagnostic) -> Diagnostic {
+    fault
+        .help(words().how_a_link_is_driven(TURNED.example))
+        .help(words().how_a_slide_is_driven(PUSHED.example))
+}
+
+/// Reports a coordinate of the other kind of driver.
+fn other_coordinate(reader: &mut Reader<'_>, other: Name<'_>, form: &DriverForm) {
+    let (driven, coordinate) = (form.driven, form.coordinate);
+    reader.report(
+        Diagnostic::new(words().driver_has_other(driven, other.text, coordinate))
+            .at(other.span, words().coordinate_is_meant(coordinate))
+            .help(words().for_example(&format!("{coordinate} = 60"))),
+    );
+}
+
+/// Reads the coordinate at which the scene opens.
+fn start(
+    reader: &mut Reader<'_>,
+    table: &KeyTable<'_>,
+    form: &DriverForm,
+    key: &ByteSpan,
+) -> Option<f64> {
+    let coordinate = form.coordinate;
+    reader.only_known(table);
+    // A misspelt key was already reported; do not report the missing key as well.
+    if !table.has(coordinate) && !table.meant(coordinate) {
+        let label = words().coordinate_is_missing(coordinate);
+        reader.report(
+            Diagnostic::new(words().driver_lacks(coordinate))
+                .at(key.clone(), label)
+                .help(words().for_example(&format!("{coordinate} = 60"))),
+        );
+    }
+    reader.number_of(table, coordinate)
+}
+
+/// Reads a speed or an acceleration; returns `None` if it is missing or invalid.
+pub(crate) fn rate(
+    reader: &mut Reader<'_>,
+    table: &KeyTable<'_>,
+    key: &str,
+    kind: RateKind,
+    degree: Degree,
+) -> Option<Rate> {
+    let value = table.get(key)?;
+    let (of, place) = (&*table.of, value.span());
+    let literal = reader.literal(&place);
+    let bare = literal.trim_matches(['`', '"', '\'', ' ']);
+    let misfit = match value.get_ref() {
+        DeValue::String(text) => match rate::parse(text, kind, degree) {
+            Ok(rate) => return Some(rate),
+            Err(misfit) => match rate::formula(text, kind, degree) {
+                Some((formula, unit)) => {
+                    let what = words().key_of(key, of);
+                    let worth = reader.worked_out(&what, formula, &place)?;
+                    if let Some(dimension) = worth.dimension {
+                        let found = dimension.symbol(reader.named.length.0);
+                        let message = words().rate_of_units(key, of, formula, &found);
+                        let fault = Diagnostic::new(message).at(place, "");
+                        reader.report(fault.help(words().rate_brings_its_unit(formula, unit)));
+                        return None;
+                    }
+                    let rate = rate::of(worth.value.twice(), unit, kind);
+                    if rate.value.is_finite() {
+                        return Some(rate);
+                    }
+                    Misfit::NotFinite
+                }
+                None => misfit,
+            },
+        },
+        DeValue::Integer(_) | DeValue::Float(_) => Misfit::NoUnit,
+        _ => Misfit::NoNumber,
+    };
+    let units = rate::units(kind, degree);
+    let (message, help) = match misfit {
+        Misfit::NoNumber => (
+            words().rate_is_no_number(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"15 {}\"", units[0]))),
+        ),
+        Misfit::NoUnit => (
+            words().rate_has_no_unit(key, of, bare),
+            Some(words().for_example(&format!("{key} = \"{bare} {}\"", units[0]))),
+        ),
+        Misfit::Unit(unit) => (
+            words().rate_has_other_unit(key, of, bare),
+            did_you_mean(unit, units.iter().copied()),
+        ),
+        Misfit::TwoMarks => (
+            words().rate_has_two_marks(key, of, bare),
+            Some(words().digits_without_groups().to_owned()),
+        ),
+        Misfit::NotFinite => (words().rate_is_too_large(key, of, bare), None),
+    };
+    reader.report(
+        Diagnostic::new(message)
+            .at(place, words().expected_a_rate())
+            .maybe_help(help)
+            .help(words().possible_units(&format!("`{}`", units.join("`, `")))),
+    );
+    None
+}

@@ -1,0 +1,6 @@
+//! The driver, the inputs that follow it, its motion over time, and its motor.
+
+pub(super) mod input;
+pub(super) mod motor;
+pub(super) mod timed_inputs;
+pub(super) mod timed_motion;

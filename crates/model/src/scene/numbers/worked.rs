@@ -1,0 +1,166 @@
+//! Evaluates the numbers of a scene that are formulas of its parameters.
+
+use crate::document::{Diagnostic, NamedNumbers};
+use crate::expression::{
+    self, Dimension, ExpressionTree, FormulaError, LengthScale, MeasuredNumber, evaluate,
+};
+use crate::nearest::did_you_mean;
+use crate::scene::numbers::figures::FormulaPlace;
+use crate::scene::numbers::reader::{ByteSpan, Name, Reader, bare_number};
+use crate::scene::{Scene, Value};
+use crate::wording::words;
+
+/// Maximum number of names in a hint.
+const LISTED: usize = 12;
+
+impl Reader<'_> {
+    /// Evaluates a formula given as a number; reports faults.
+    pub fn worked_out(
+        &mut self,
+        what: &str,
+        text: &str,
+        span: &ByteSpan,
+    ) -> Option<MeasuredNumber> {
+        let formula = Name {
+            text,
+            span: span.clone(),
+        };
+        let tree = match expression::parse(text) {
+            Ok(tree) => tree,
+            Err(fault) => {
+                let help = fault.help.clone().or_else(|| self.named.product(text));
+                let help = help.or_else(|| bare_number(text));
+                let place = FormulaPlace::of(self, &formula);
+                self.report(place.fault(what, &FormulaError { help, ..fault }));
+                return None;
+            }
+        };
+        self.worth(what, &formula, &tree)
+    }
+
+    /// Evaluates a parsed formula; reports faults.
+    pub(crate) fn worth(
+        &mut self,
+        what: &str,
+        formula: &Name<'_>,
+        tree: &ExpressionTree,
+    ) -> Option<MeasuredNumber> {
+        // The fault of the parameter was reported at its definition.
+        if self.named.lacks(tree) {
+            return None;
+        }
+        match self.named.worth_of(formula.text, tree) {
+            Ok(found) => {
+                self.worked.insert(formula.span.start, found.nearest());
+                Some(found)
+            }
+            Err(fault) => {
+                let place = FormulaPlace::of(self, formula);
+                self.report(place.fault(what, &fault));
+                None
+            }
+        }
+    }
+}
+
+impl NamedNumbers {
+    /// Returns `true` if a formula names a parameter without a known value.
+    fn lacks(&self, tree: &ExpressionTree) -> bool {
+        let mut lacks = false;
+        tree.each_name(&mut |name| lacks |= matches!(self.worth.get(name), Some(None)));
+        lacks
+    }
+
+    /// Evaluates a parsed formula.
+    pub(in crate::scene) fn worth_of(
+        &self,
+        text: &str,
+        tree: &ExpressionTree,
+    ) -> Result<MeasuredNumber, FormulaError> {
+        let (symbol, tenths_of_mm) = self.length;
+        let length = LengthScale {
+            symbol,
+            tenths_of_mm,
+        };
+        evaluate(text, tree, length, &|name| {
+            let found = self.worth.get(name).cloned().flatten();
+            found.ok_or_else(|| self.meant(name))
+        })
+    }
+
+    /// Parses and evaluates a formula.
+    pub(crate) fn worth_of_text(&self, text: &str) -> Result<MeasuredNumber, FormulaError> {
+        self.worth_of(text, &expression::parse(text)?)
+    }
+
+    /// Lists the parameters with units in a value's formula, each with its own unit; `None` if
+    /// there are none.
+    fn units_in(&self, value: &Value, wanted: &str) -> Option<String> {
+        let told = value.follows_from().into_iter().filter_map(|name| {
+            let dimension = self.worth.get(&name)?.as_ref()?.dimension?;
+            Some((name, dimension.symbol(self.length.0)))
+        });
+        let told: Vec<_> = told.take(LISTED).collect();
+        (!told.is_empty()).then(|| words().parameters_measured_in(&told, wanted))
+    }
+
+    /// Suggests a product sign between a number and a name; returns `None` for other texts.
+    pub(crate) fn product(&self, text: &str) -> Option<String> {
+        let (number, name) = text.trim().split_once(' ')?;
+        let name = name.trim();
+        let is_number = number.parse::<f64>().is_ok();
+        (is_number && self.worth.contains_key(name))
+            .then(|| words().product_has_a_sign(number, name))
+    }
+
+    /// Suggests a fix for an unknown name.
+    fn meant(&self, name: &str) -> Option<String> {
+        if let Some((number, unit)) = expression::glued(name) {
+            return Some(words().blank_before_unit(number, unit));
+        }
+        if expression::is_difference(name, |part| self.worth.contains_key(part)) {
+            return Some(words().minus_between_blanks().to_owned());
+        }
+        let mut names: Vec<&str> = self.worth.keys().map(String::as_str).collect();
+        names.sort_unstable();
+        if let Some(meant) = did_you_mean(name, names.iter().copied()) {
+            return Some(meant);
+        }
+        let help = match names.len() {
+            _ if name.contains('-') => words().minus_between_blanks().to_owned(),
+            0 => words().scene_has_no_parameters().to_owned(),
+            1..=LISTED => words().parameters_are(&format!("`{}`", names.join("`, `"))),
+            _ => return None,
+        };
+        Some(help)
+    }
+}
+
+/// Checks that formulas with units have the required dimensions. Reports those that do not, and
+/// returns `false`.
+pub(crate) fn measures_fit(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+    if reader.worked.is_empty() {
+        return true;
+    }
+    let before = reader.found.len();
+    for value in scene.values() {
+        let (Some(found), Some(wanted)) = (value.dimension, value.measure.dimension()) else {
+            continue;
+        };
+        if !fits(found, wanted) {
+            let found = found.symbol(scene.unit.symbol());
+            let wanted = match value.unit {
+                "" => "1",
+                unit => unit,
+            };
+            let message = words().value_measures_other(&value.name, &found, wanted);
+            let fault = Diagnostic::new(message).at(value.place.clone(), "");
+            reader.report(fault.maybe_help(value.named.units_in(&value, wanted)));
+        }
+    }
+    reader.found.len() == before
+}
+
+fn fits(found: Dimension, wanted: Dimension) -> bool {
+    found.adds_to(wanted)
+}
