@@ -221,8 +221,8 @@ link = "r2"
 angle = 60
 speed = "a / 10 rad/s"
 [links]
-r2 = { from = "A", to = "B", length = "a", mass = "a / 50" }
-r3 = { from = "B", to = "C", length = "sqrt(far^2 + 5 * a^2)", points = { P = ["far / 2", "a"] } }
+r2 = { from = "A", to = "B", length = "a", mass = 2, com = ["a / 2", 0] }
+r3 = { from = "B", to = "C", length = "far + a", points = { P = ["far / 2", "a"] } }
 r4 = { from = "D", to = "C", length = 250 }
 [start]
 C = ["a + far", 200]

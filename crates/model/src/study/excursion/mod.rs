@@ -268,8 +268,11 @@ pub fn changing(solver: &Solver, figures: &[Quantity]) -> Vec<bool> {
     let mut sampler = MotionSampler::new(solver, SlopeSource::Nothing, figures.iter(), 0);
     let sampled = sampler.at_few_places();
     let sampled = sampled.iter().enumerate();
-    let changes = sampled.map(|(column, values)| sampler.changes(column, values, CERTAIN));
-    let mut changes: Vec<bool> = changes.map(|changes| changes == Some(true)).collect();
+    // Directions are continued along the motion, which a few places cannot show.
+    let changes = sampled.map(|(i, values)| {
+        !figures[i].is_direction() && sampler.changes(i, values, CERTAIN) == Some(true)
+    });
+    let mut changes: Vec<bool> = changes.collect();
     // The others need the whole motion.
     let open: Vec<usize> = (0..figures.len()).filter(|&i| !changes[i]).collect();
     let others = open.iter().map(|&i| &figures[i]);
