@@ -112,7 +112,7 @@ impl Command {
             Command::Accuracy(args) => accuracy::accuracy(args, screen),
             #[cfg(feature = "tui")]
             Command::Config => workbench::config(screen),
-            Command::Help(args) => help::help(args, &krank()),
+            Command::Help(args) => help::help(args, krank),
             Command::Completions { shell } => completions::completions(*shell, &krank(), screen),
             Command::Man { command } => man::man(&mut krank(), command.as_deref(), screen),
         }

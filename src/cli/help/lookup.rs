@@ -21,7 +21,7 @@ pub(in crate::cli) fn page(
     typed: &str,
     near: Option<&str>,
     width: usize,
-    krank: &Command,
+    krank: fn() -> Command,
 ) -> Option<String> {
     // Replaces control characters such as U+0085.
     let typed = typed.split_whitespace().collect::<Vec<_>>().join(" ");
@@ -38,7 +38,7 @@ fn page_in_language(
     typed: &str,
     near: Option<&str>,
     width: usize,
-    krank: &Command,
+    krank: fn() -> Command,
 ) -> Option<String> {
     let sought = SearchWords::new(typed);
     let (heading, questions) = questions(&sought);
@@ -47,7 +47,10 @@ fn page_in_language(
         (words().topics_heading(), topics(&sought, width)),
         (words().keys_heading(), rows(key_rows_about(&sought))),
         (words().columns_heading(), columns(&sought)),
-        (words().commands_heading(), rows(commands(&sought, krank))),
+        (
+            words().commands_heading(),
+            rows(commands(&sought, &krank())),
+        ),
     ];
     let sections = sections.into_iter().filter(|(_, text)| !text.is_empty());
     let sections = sections.map(|(heading, text)| format!("\n# {heading}\n\n{text}"));

@@ -47,7 +47,7 @@ pub(in crate::cli) enum HelpFormat {
 const USUAL_WIDTH: usize = 80;
 
 /// Shows a topic or a command's help, lists both, or writes the manual as a web site.
-pub(in crate::cli) fn help(args: &HelpArgs, krank: &Command) -> Result<(), Failure> {
+pub(in crate::cli) fn help(args: &HelpArgs, krank: fn() -> Command) -> Result<(), Failure> {
     match (args.format, &args.output, &args.topic) {
         (HelpFormat::Text, None, _) => show(args, krank),
         (HelpFormat::Text, Some(_), _) => Err(Failure::Usage(words().folder_needs_html().into())),
@@ -67,10 +67,10 @@ fn write_site(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-fn show(args: &HelpArgs, krank: &Command) -> Result<(), Failure> {
+fn show(args: &HelpArgs, krank: fn() -> Command) -> Result<(), Failure> {
     let screen = TextScreen::of_results();
     let text = match args.topic.as_deref() {
-        None => laid_out(&contents(krank), screen),
+        None => laid_out(&contents(&krank()), screen),
         Some(word) => match manual::find(word) {
             Some(topic) => laid_out(&topic.text(key_rows), screen),
             None => of_word(word, krank, screen)?,
@@ -118,8 +118,8 @@ fn contents(krank: &Command) -> String {
 }
 
 /// Returns a command's help as its `--help` shows it, or the places where another word occurs.
-fn of_word(word: &str, krank: &Command, screen: TextScreen) -> Result<String, Failure> {
-    let mut built = krank.clone();
+fn of_word(word: &str, krank: fn() -> Command, screen: TextScreen) -> Result<String, Failure> {
+    let mut built = krank();
     built.build();
     if let Some(command) = built.find_subcommand_mut(word) {
         return Ok(words().of_parser(&command.render_long_help().to_string()));

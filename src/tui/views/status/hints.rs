@@ -41,9 +41,6 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
         }
         return;
     }
-    if app.mode().is_normal() && app.views.searched == Some(app.view()) {
-        line.hint("n N", words().next());
-    }
     let listing = is_listing(app);
     let can_scroll = listing || most_scroll(app) > 0;
     if listing {
@@ -68,6 +65,9 @@ pub(super) fn render(app: &App, line: &mut Writer<'_>) {
                 line.hint(&key, name);
             }
         }
+    }
+    if app.mode().is_normal() && app.views.searched == Some(app.view()) {
+        line.hint("n N", words().next());
     }
 }
 
