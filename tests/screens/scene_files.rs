@@ -142,7 +142,7 @@ fn leaving_with_unsaved_edits_asks_first() {
     session.press("Esc");
     assert_eq!(session.row(), ">*r2 length 101 mm 100");
     let asked = ["unsaved edits", "w save d drop, open Esc stay"];
-    assert_told(&session.press("n").look(), &asked);
+    assert_told(&session.press("Esc n").look(), &asked);
     session.press("Esc n w");
     assert!(
         std::fs::read_to_string(&file)

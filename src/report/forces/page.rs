@@ -108,7 +108,7 @@ impl TablesWriter<'_> {
             let texts = cells.map(|cell| cell.map(|entry| self.figure(entry, Aspect::Normal)));
             table.row(name, texts.map(Option::unwrap_or_default));
             if self.style.bounds {
-                let bounds = cells.map(|cell| cell.map(|entry| shown_bound(entry)));
+                let bounds = cells.map(|cell| cell.map(shown_bound));
                 table.row(BOUND, bounds.map(Option::unwrap_or_default));
             }
         }

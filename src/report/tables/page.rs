@@ -205,7 +205,7 @@ impl TablesWriter<'_> {
             let cells = cells.map(|(entry, aspect)| self.figure(entry, aspect));
             table.row(point.name.as_str(), cells);
             if self.style.bounds {
-                table.row(BOUND, entries.map(|entry| shown_bound(entry)));
+                table.row(BOUND, entries.map(shown_bound));
             }
         }
         table

@@ -83,7 +83,7 @@ impl App {
 
     /// Opens a file, or the preset of this name if there is no such file.
     fn open_named(&mut self, name: &str) {
-        self.shell.say(words().reading(&name));
+        self.shell.say(words().reading(name));
         let (name, path) = (name.to_owned(), from_home(name, places::environment));
         self.clerk.give(move || {
             let opened = match presets::find(&name).filter(|_| !path.exists()) {

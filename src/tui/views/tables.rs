@@ -145,7 +145,7 @@ fn mark(app: &App, line: &TableLine, shown: &Line, area: Rect, buffer: &mut Buff
         print(buffer, area.x - 1, area.y, 1, CHOSEN, key);
     }
     // If keys go to another view, this one has no cursor.
-    let cursor = (app.view() == View::Tables).then(|| app.views.cursor);
+    let cursor = (app.view() == View::Tables).then_some(app.views.cursor);
     let Some(cell) = cursor.and_then(|cursor| cursor.cell_of(line)) else {
         return;
     };

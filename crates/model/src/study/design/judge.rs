@@ -342,8 +342,8 @@ impl DesignEvaluator {
             }
         };
         for (&row, found) in rows.iter().zip(found) {
-            for i in 0..count {
-                slopes.slacks[(row, i)] = self.constraints[row].slope_of_slack(found[i] * size(i));
+            for (i, slope) in found.iter().enumerate().take(count) {
+                slopes.slacks[(row, i)] = self.constraints[row].slope_of_slack(slope * size(i));
             }
         }
         Some(slopes)

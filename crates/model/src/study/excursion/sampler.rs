@@ -261,7 +261,7 @@ impl MotionSampler {
         let start = [f64::INFINITY, f64::NEG_INFINITY];
         let [low, high] = values.fold(start, |[low, high], &v| [low.min(v), high.max(v)]);
         let size = self.size(column).max(low.abs()).max(high.abs());
-        (high - low).is_finite().then(|| high - low > part * size)
+        (high - low).is_finite().then_some(high - low > part * size)
     }
 
     /// Samples every column along the whole motion.
