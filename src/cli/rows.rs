@@ -1,6 +1,8 @@
 //! Coordinates or times of rows over the motion.
 
 use super::failure::{Failure, note};
+use super::output::{goes_to_terminal, write_to};
+use super::progress::Progress;
 use super::screen::TextScreen;
 use crate::Input;
 use crate::quantity::{Clock, TimeError};
@@ -8,6 +10,8 @@ use crate::report::{Steps, WrittenDecimal};
 use crate::scene::Scene;
 use crate::solver::Range;
 use crate::wording::words;
+use std::io::{self, Write};
+use std::path::Path;
 
 /// Minimum number of steps of a slide over the sweep. The default step is the largest of 1, 2 or 5
 /// times a power of ten that gives as many.
@@ -48,6 +52,21 @@ pub(super) fn steps(
         Some(_) => steps,
         None => steps.ending_on(to.value()),
     })
+}
+
+/// Writes the rows of `steps` to a file or to standard output, with their progress. `write` gets the
+/// output and the routine that takes the number of rows written so far.
+pub(super) fn write_rows<T>(
+    path: Option<&Path>,
+    steps: &Steps,
+    screen: TextScreen,
+    mut write: impl FnMut(&mut dyn Write, &mut dyn FnMut(u64)) -> io::Result<T>,
+) -> Result<T, Failure> {
+    let is_shown = goes_to_terminal(path);
+    let mut progress = Progress::new(steps.count(), words().rows(), screen, is_shown);
+    let outcome = write_to(path, |out| write(out, &mut |rows| progress.tell(rows)));
+    progress.end();
+    outcome
 }
 
 /// Returns the clock that maps time to the driver coordinate.

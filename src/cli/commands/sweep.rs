@@ -4,10 +4,9 @@ use crate::cli::columns::figures;
 use crate::cli::failure::{Failure, note};
 use crate::cli::foreign::measured;
 use crate::cli::formats::{FigureArgs, OutputFormat};
-use crate::cli::output::{OutputArgs, goes_to_terminal, write_to};
+use crate::cli::output::{OutputArgs, write_to};
 use crate::cli::place::{check_derivative_count, note_lacking, note_near_misses, note_unproved};
-use crate::cli::progress::Progress;
-use crate::cli::rows::{RowEnds, clock, steps, tell_of_motion, times};
+use crate::cli::rows::{RowEnds, clock, steps, tell_of_motion, times, write_rows};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Quantity};
@@ -98,17 +97,9 @@ pub(in crate::cli) fn sweep(args: &SweepArgs, screen: TextScreen) -> Result<(), 
         format,
     };
     let path = args.output.output.as_deref();
-    let mut progress = Progress::new(
-        steps.count(),
-        words().rows(),
-        screen,
-        goes_to_terminal(path),
-    );
-    let outcome = write_to(path, |out| {
-        sweep.write(out, &mut |rows| progress.tell(rows))
-    });
-    progress.end();
-    let outcome = outcome?;
+    let outcome = write_rows(path, &steps, screen, |out, progress| {
+        sweep.write(out, progress)
+    })?;
     note_near_misses(&scene, &solver, screen);
     let driver = catalogue.driver();
     judge(&outcome, &limits_text(range, driver), screen)?;

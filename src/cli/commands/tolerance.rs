@@ -5,12 +5,11 @@ use crate::cli::choice::{OptionValue, one_of};
 use crate::cli::columns::{entries, figures};
 use crate::cli::failure::{Failure, note};
 use crate::cli::formats::{CsvArgs, OutputFormat};
-use crate::cli::output::{OutputArgs, goes_to_terminal, write_text, write_to};
+use crate::cli::output::{OutputArgs, write_text, write_to};
 use crate::cli::place::{
     check_derivative_count, normalize_coordinate, note_near_misses, out_of_reach,
 };
-use crate::cli::progress::Progress;
-use crate::cli::rows::{RowEnds, steps};
+use crate::cli::rows::{RowEnds, steps, write_rows};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
 use crate::quantity::{Catalogue, Quantity, demand, length_name};
@@ -148,17 +147,10 @@ pub(in crate::cli) fn tolerance(args: &ToleranceArgs, screen: TextScreen) -> Res
         format,
     };
     let path = args.output.output.as_deref();
-    let mut progress = Progress::new(
-        steps.count(),
-        words().rows(),
-        screen,
-        goes_to_terminal(path),
-    );
-    let outcome = write_to(path, |out| {
-        rows.write(&mut study, out, &mut |done| progress.tell(done))
-    });
-    progress.end();
-    judge(outcome?, &limits_text(range, catalogue.driver()), screen)
+    let outcome = write_rows(path, &steps, screen, |out, progress| {
+        rows.write(&mut study, out, progress)
+    })?;
+    judge(outcome, &limits_text(range, catalogue.driver()), screen)
 }
 
 /// Returns the requested values of the whole motion, such as `F.stroke` or `transmission`. Other
