@@ -84,6 +84,10 @@ impl<'a> TimedMotion<'a> {
                     ..
                 } => value["ramp"] = json!(ramp),
                 TimedStep::Law { .. } => {}
+                TimedStep::Sine(sine) => {
+                    value["amplitude"] = json!(sine.amplitude);
+                    value["phase"] = json!(sine.phase);
+                }
                 TimedStep::Table(spline) => value["knots"] = json!(spline.knots()),
             }
             value
@@ -155,6 +159,7 @@ const DWELL: &str = "dwell";
 fn name(step: &TimedStep, from: f64) -> &'static str {
     match step {
         TimedStep::Table(_) => "table",
+        TimedStep::Sine(_) => "sine",
         TimedStep::Law { to, .. } if *to == from => DWELL,
         TimedStep::Law { law, .. } => match law {
             StepLaw::Constant => "constant",

@@ -48,6 +48,35 @@ pub enum TimedStep {
     /// A curve through knots of time, from the beginning of the step, and coordinate. It is at rest
     /// at both ends.
     Table(ClampedSpline),
+    /// One period of a sine about a middle position.
+    Sine(SineStep),
+}
+
+/// One period of a sine: the coordinate is `from + amplitude (sin(phase + 360 t / time) - sin phase)`.
+/// It ends where it began, with the same speed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SineStep {
+    /// The coordinate at the beginning, in degrees or in the scene's length unit.
+    pub from: f64,
+    /// The largest distance from the middle position, above 0.
+    pub amplitude: f64,
+    /// The phase at the beginning, in degrees: 0 in the middle position, on the way up.
+    pub phase: f64,
+    /// The period in s, above 0.
+    pub time: f64,
+}
+
+impl SineStep {
+    /// Returns the times at which the sine reverses, from the beginning of the step.
+    fn turns(&self) -> [f64; 2] {
+        // The phases of the reversals are 90 and 270 degrees.
+        let mut turns = [90.0, 270.0].map(|at: f64| {
+            let turned = (at - self.phase).rem_euclid(TURN);
+            self.time * (turned / TURN)
+        });
+        turns.sort_by(f64::total_cmp);
+        turns
+    }
 }
 
 /// A driver's coordinate over time.
@@ -90,6 +119,7 @@ impl TimedStep {
         match self {
             TimedStep::Law { to, .. } => *to,
             TimedStep::Table(spline) => spline.ends()[1][1],
+            TimedStep::Sine(sine) => sine.from,
         }
     }
 
@@ -99,6 +129,7 @@ impl TimedStep {
         match self {
             TimedStep::Law { time, .. } => *time,
             TimedStep::Table(spline) => spline.ends()[1][0],
+            TimedStep::Sine(sine) => sine.time,
         }
     }
 
@@ -113,6 +144,10 @@ impl TimedStep {
                 has_ramps && to.is_finite() && *time > 0.0
             }
             TimedStep::Table(spline) => spline.ends()[0] == [0.0, from],
+            TimedStep::Sine(sine) => {
+                let is_finite = sine.amplitude.is_finite() && sine.phase.is_finite();
+                sine.from == from && is_finite && sine.amplitude > 0.0 && sine.time > 0.0
+            }
         }
     }
 }
@@ -486,6 +521,106 @@ mod tests {
         near(law.at(4.0).speed, -90.0);
         near(law.at(0.5).acceleration, -6.0 * 60.0);
         assert_eq!(MotionLaw::new(0.0, steps(50.0), false), None);
+    }
+
+    /// A cylinder of 20 mm stroke that begins retracted, and a lever that begins at any phase.
+    #[test]
+    fn sine_swings_about_its_middle_position() {
+        let sine = |from, amplitude, phase, time| {
+            TimedStep::Sine(SineStep {
+                from,
+                amplitude,
+                phase,
+                time,
+            })
+        };
+        let law = MotionLaw::new(100.0, vec![sine(100.0, 10.0, -90.0, 4.0)], false).unwrap();
+        for (time, at, speed) in [
+            (0.0, 100.0, 0.0),
+            (1.0, 110.0, 5.0 * PI),
+            (2.0, 120.0, 0.0),
+            (3.0, 110.0, -5.0 * PI),
+            (4.0, 100.0, 0.0),
+            // A twelfth of the period: the sine of -60 degrees.
+            (9.0 - 2.0 / 3.0, 110.0 - 5.0 * 3.0_f64.sqrt(), 2.5 * PI),
+        ] {
+            let moment = law.at(time);
+            near(moment.at, at);
+            near(moment.speed, speed);
+            // The acceleration points to the middle.
+            near(
+                moment.acceleration,
+                (110.0 - moment.at) * (PI / 2.0).powi(2),
+            );
+        }
+        assert_eq!(law.reach(), [100.0, 120.0]);
+        assert_eq!((law.period(), law.advance()), (4.0, 0.0));
+        // Elsewhere the reversals lie within the period.
+        let law = MotionLaw::new(35.0, vec![sine(35.0, 10.0, 30.0, 3.0)], true).unwrap();
+        let [low, high] = law.reach();
+        near(low, 20.0);
+        near(high, 40.0);
+        let meets: Vec<f64> = law.meets(30.0).collect();
+        assert_eq!(meets.len(), 4, "{meets:?}");
+        near(meets[0], 1.25);
+        near(meets[2], 2.75);
+        let peaks = law.peaks();
+        near(peaks.speed, 20.0 * PI / 3.0);
+        near(peaks.acceleration, 10.0 * (2.0 * PI / 3.0).powi(2));
+        assert_eq!((peaks.rest, peaks.jump), (0.0, None));
+        // A dwell before it makes the speed jump.
+        let steps = vec![step(StepLaw::Constant, 0.0, 1.0), sine(0.0, 1.0, 0.0, 1.0)];
+        assert_eq!(
+            MotionLaw::new(0.0, steps, false).unwrap().peaks().jump,
+            Some(0.0)
+        );
+        for bad in [
+            sine(1.0, 1.0, 0.0, 1.0),
+            sine(0.0, 0.0, 0.0, 1.0),
+            sine(0.0, 1.0, 0.0, 0.0),
+        ] {
+            assert_eq!(MotionLaw::new(0.0, vec![bad], false), None);
+        }
+        assert_eq!(
+            MotionLaw::new(0.0, vec![sine(0.0, 1.0, f64::NAN, 1.0)], false),
+            None
+        );
+    }
+
+    /// The bounds cover the difference from the formula in double-double.
+    #[test]
+    fn sine_error_covers_rounding() {
+        use crate::Double;
+        let (amplitude, phase, time) = (13.7, 12.3, 0.7);
+        let sine = TimedStep::Sine(SineStep {
+            from: 41.1,
+            amplitude,
+            phase,
+            time,
+        });
+        let law = MotionLaw::new(41.1, vec![sine], false).unwrap();
+        let tenths = |n: u32| Double::exactly(f64::from(n)) / Double::exactly(1000.0);
+        let unit = |angle: Double| <Double as Number>::unit(angle);
+        for k in 1..700_u32 {
+            let found = law.at(f64::from(k) / 1000.0);
+            let rate = Double::exactly(360.0) / tenths(700);
+            let (begin, here) = (
+                unit(tenths(12_300)),
+                unit(tenths(12_300) + rate * tenths(k)),
+            );
+            let (way, turn) = (tenths(13_700), rate * Double::RADIAN);
+            let exact = [
+                tenths(41_100) + way * (here.y - begin.y),
+                way * turn * here.x,
+                -(way * turn * turn * here.y),
+            ];
+            let values = [found.at, found.speed, found.acceleration];
+            for i in 0..3 {
+                let miss = (exact[i] - Double::exactly(values[i])).hi.abs();
+                assert!(miss <= found.off[i], "{k} {i}: {miss:e} {found:?}");
+                assert!(found.off[i] < 1e-10, "{found:?}");
+            }
+        }
     }
 
     #[test]

@@ -23,7 +23,7 @@ pub use defect::{Defect, Defects};
 pub use input_table::InputTable;
 pub(crate) use inputs::fraction;
 pub use inputs::{InputLaw, TimedInput};
-pub use law::{DriverMoment, MotionLaw, MotionPeaks, StepLaw, TimedStep};
+pub use law::{DriverMoment, MotionLaw, MotionPeaks, SineStep, StepLaw, TimedStep};
 pub use lengths::{CoordinateAxis, Length};
 pub use limit::MAX_TURNS;
 pub use limit::{Limit, LimitId, LimitOf};

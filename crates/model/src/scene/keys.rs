@@ -193,9 +193,11 @@ DRIVER =
     "motion": Steps(STEP), [], motion_of_driver, no_default;
 
 STEP =
-    "law": Text, ["constant", "harmonic", "cycloidal", "trapezoid", "table"], law_of_step, "";
+    "law": Text, ["constant", "harmonic", "cycloidal", "trapezoid", "table", "sine"], law_of_step, "";
     "to": Number(Driver, Any), ["constant", "harmonic", "cycloidal", "trapezoid"], end_of_step, "";
-    "time": Number(In(Measure::Time), Positive), ["constant", "harmonic", "cycloidal", "trapezoid"], time_of_step, "";
+    "time": Number(In(Measure::Time), Positive), ["constant", "harmonic", "cycloidal", "trapezoid", "sine"], time_of_step, "";
+    "amplitude": Number(Driver, Positive), ["sine"], amplitude_of_step, "";
+    "phase": Number(In(Measure::Angle), Any), ["sine"], phase_of_step, "`0`";
     "ramp": Number(Of(Measure::Factor), AtMostHalf), ["trapezoid"], ramp_of_step, "`1/3`";
     "knots": Knots([Of(Measure::Time), Driver], "coordinate"), ["table"], knots_of_step, "";
     "dwell": Number(In(Measure::Time), Positive), ["dwell"], dwell_of_step, "";
@@ -386,6 +388,7 @@ mod tests {
                     "\"cycloidal\"",
                     "\"trapezoid\"",
                     "\"table\"",
+                    "\"sine\"",
                 ];
                 let law = known
                     .into_iter()

@@ -24,6 +24,8 @@ enum ArcShape {
     Harmonic(Wave),
     /// from + way (a - sin a) / (2 pi).
     Cycloidal(Wave),
+    /// from + way (sin(phase + a) - sin phase).
+    Sine(Wave, Constant),
 }
 
 /// The constants of a shape with an angle a that grows linearly with time.
@@ -87,6 +89,11 @@ impl TimedStep {
                     add(after, ArcShape::Cubic(cubic));
                 }
             }
+            TimedStep::Sine(sine) => {
+                let mut wave = Wave::new([sine.from, sine.from], sine.time, 2.0);
+                wave.way = Constant::given(sine.amplitude);
+                add(at_once, ArcShape::Sine(wave, Constant::given(sine.phase)));
+            }
         }
     }
 }
@@ -130,6 +137,18 @@ impl MotionArc {
                     from + way * (Sharp::exactly(1.0) - unit.x).scaled(0.5),
                     speed * unit.y,
                     speed * turn * unit.x,
+                ]
+            }
+            ArcShape::Sine(wave, phase) => {
+                let [from, way, rate, turn] =
+                    [wave.from, wave.way, wave.rate, wave.turn].map(Sharp::of);
+                let phase = Sharp::of(*phase);
+                let [begin, unit] = [Sharp::unit(phase), Sharp::unit(phase + rate * d)];
+                let speed = way * turn;
+                [
+                    from + way * (unit.y - begin.y),
+                    speed * unit.x,
+                    -(speed * turn * unit.y),
                 ]
             }
             ArcShape::Cycloidal(wave) => {

@@ -45,6 +45,10 @@ impl TimedStep {
                 [speed * way / time, acceleration * way / (time * time)]
             }
             TimedStep::Table(spline) => spline.steepest(),
+            TimedStep::Sine(sine) => {
+                let rate = 2.0 * PI / sine.time;
+                [1, 2].map(|degree| sine.amplitude * rate.powi(degree))
+            }
         }
     }
 
@@ -56,6 +60,10 @@ impl TimedStep {
                 to,
                 time,
             } => [(to - from) / time; 2],
+            TimedStep::Sine(sine) => {
+                let speed = sine.amplitude * 2.0 * PI / sine.time;
+                [speed * sine.phase.to_radians().cos(); 2]
+            }
             TimedStep::Law { .. } | TimedStep::Table(_) => [0.0; 2],
         }
     }

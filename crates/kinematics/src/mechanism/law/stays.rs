@@ -21,6 +21,13 @@ impl TimedStep {
                 turns.push(spline.ends()[1][0]);
                 turns
             }
+            TimedStep::Sine(sine) => {
+                let within = sine.turns().into_iter().filter(|&turn| turn > 0.0);
+                std::iter::once(0.0)
+                    .chain(within)
+                    .chain([sine.time])
+                    .collect()
+            }
         }
     }
 }

@@ -8,10 +8,17 @@ use crate::scene::keys;
 use crate::scene::numbers::reader::{ByteSpan, Reader};
 use crate::scene::table::KeyTable;
 use crate::wording::words;
-use crate::{ClampedSpline, MotionLaw, StepLaw, TimedStep};
+use crate::{ClampedSpline, MotionLaw, SineStep, StepLaw, TimedStep};
 
 const STEP: &str = r#"{ law = "cycloidal", to = 120, time = 0.5 }"#;
-const LAWS: [&str; 5] = ["constant", "harmonic", "cycloidal", "trapezoid", "table"];
+const LAWS: [&str; 6] = [
+    "constant",
+    "harmonic",
+    "cycloidal",
+    "trapezoid",
+    "table",
+    "sine",
+];
 /// The default fraction of a trapezoid's time during which its speed increases.
 const RAMP: f64 = 1.0 / 3.0;
 
@@ -123,6 +130,7 @@ fn step(
     foreign(reader, table, law);
     let law = match law {
         "table" => return through_knots(reader, from, table),
+        "sine" => return sine(reader, from, table),
         "trapezoid" => StepLaw::Trapezoid {
             ramp: reader.number_or(table, "ramp", RAMP)?,
         },
@@ -136,6 +144,24 @@ fn step(
     let to = reader.number_of(table, "to");
     let time = reader.number_of(table, "time")?;
     Some(TimedStep::Law { law, to: to?, time })
+}
+
+const SINE: &str = r#"{ law = "sine", amplitude = 20, time = 4 }"#;
+
+/// Reads one period of a sine, which begins at any phase.
+fn sine(reader: &mut Reader<'_>, from: Option<f64>, table: &KeyTable<'_>) -> Option<TimedStep> {
+    for key in ["amplitude", "time"] {
+        reader.require(table, key, &table.span, SINE);
+    }
+    let phase = reader.number_or(table, "phase", 0.0);
+    let amplitude = reader.number_of(table, "amplitude");
+    let time = reader.number_of(table, "time");
+    Some(TimedStep::Sine(SineStep {
+        from: from?,
+        amplitude: amplitude?,
+        phase: phase?,
+        time: time?,
+    }))
 }
 
 /// Reads the name of a law.

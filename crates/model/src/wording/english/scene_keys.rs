@@ -54,9 +54,11 @@ catalogue! {
         motion_of_driver =
             "or its motion over time, in steps: `[{ law = \"cycloidal\", to = 120, time = 0.5 }, { dwell = 0.2 }, \
              { law = \"harmonic\", to = 0, time = 0.4 }]`";
-        law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"` or `\"table\"`";
+        law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"`, `\"table\"` or `\"sine\"`";
         end_of_step = "the driver's coordinate at the end of the step";
         time_of_step = "the duration, in s";
+        amplitude_of_step = "for a sine, the largest distance from the middle position";
+        phase_of_step = "for a sine, the phase at its beginning, in degrees: 0 in the middle, 90 at the maximum";
         ramp_of_step = "for a trapezoid, the fraction of the time in which it speeds up, and again slows down";
         knots_of_step = "for a table: `[[0, 0], [0.2, 40], [0.5, 120]]`, in s from its beginning";
         dwell_of_step = "or: how long the driver dwells, in s";

@@ -53,9 +53,11 @@ catalogue! {
         motion_of_driver =
             "ya da zamana göre hareketi, adım adım: `[{ law = \"cycloidal\", to = 120, time = 0.5 }, { dwell = 0.2 \
              }, { law = \"harmonic\", to = 0, time = 0.4 }]`";
-        law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"` ya da `\"table\"`";
+        law_of_step = "`\"constant\"`, `\"harmonic\"`, `\"cycloidal\"`, `\"trapezoid\"`, `\"table\"` ya da `\"sine\"`";
         end_of_step = "adımın sonunda tahrikin koordinatı";
         time_of_step = "s olarak süresi";
+        amplitude_of_step = "sinüste, orta konumdan en büyük uzaklık";
+        phase_of_step = "sinüste, başlangıçtaki faz, derece olarak: ortada 0, en büyük değerde 90";
         ramp_of_step = "trapezde, sürenin hızlanma ve yine yavaşlama için payı";
         knots_of_step = "tabloda: `[[0, 0], [0.2, 40], [0.5, 120]]`, başından s olarak";
         dwell_of_step = "ya da: tahrikin bekleme süresi, s olarak";
