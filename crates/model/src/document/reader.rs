@@ -202,6 +202,10 @@ impl<'t> Reader<'t> {
                 self.report(fault.help(what));
                 continue;
             }
+            if let Some(what) = word_of_others(text) {
+                self.report(fault.help(what).maybe_help(near.flatten()));
+                continue;
+            }
             let listed = || words().known_keys(&format!("`{}`", known.join("`, `")));
             self.report(fault.help(near.flatten().unwrap_or_else(listed)));
         }
@@ -219,6 +223,22 @@ fn not_modelled(key: &str) -> Option<&'static str> {
         "friction" | "mu" => Some(words().no_friction_yet()),
         "torque" | "force" => Some(words().motion_is_given()),
         "contact" | "contacts" => Some(words().no_contacts_yet()),
+        _ => None,
+    }
+}
+
+/// Explains a key that is the word of another linkage program; `None` for other keys.
+fn word_of_others(key: &str) -> Option<&'static str> {
+    match key.to_ascii_lowercase().as_str() {
+        "joint" | "joints" | "connector" | "connectors" | "hinge" | "hinges" | "node" | "nodes"
+        | "pin" | "pins" | "pivot" | "pivots" | "revolute" => Some(words().joints_are_points()),
+        "piston" | "pistons" | "prismatic" | "rail" | "rails" | "slider" | "sliders" | "slot"
+        | "slots" => Some(words().sliders_are_slides()),
+        "actuator" | "actuators" | "crank" | "cranks" | "motors" | "servo" | "servos" => {
+            Some(words().motors_are_drivers())
+        }
+        "anchor" | "anchors" | "base" | "fixed" | "frame" => Some(words().anchors_are_ground()),
+        "bar" | "bars" | "bodies" | "body" | "member" | "members" => Some(words().bars_are_links()),
         _ => None,
     }
 }

@@ -25,11 +25,16 @@ catalogue! {
         no_contacts_yet = "krank does not model contacts yet";
         motion_is_given =
             "krank does not compute a motion from a force or torque: give the speed, and write loads in [[loads]]";
+        joints_are_points = "krank has no list of joints: a point that two links name, or a link and [ground], is a pin";
+        sliders_are_slides = "a slider is an entry of [slides]: a pin in a slot, or a link that does not turn";
+        motors_are_drivers = "the input is [driver], and further inputs are [inputs]; [motor] rates the drive";
+        anchors_are_ground = "fixed points are in [ground]";
+        bars_are_links = "rigid parts are in [links]";
         krank_reads_toml = "a scene is a TOML file: `krank help scene` describes it";
         is_an_address = "this is an internet address, not a scene";
-        is_a_pmks_address = "this is the address of a PMKS+ mechanism, which krank does not read";
+        is_a_pmks_address = "this is the address of a PMKS+ mechanism, not a scene: convert it with `krank import`";
         is_json = "this is JSON, not TOML";
-        is_json_of_pmks = "this is the JSON of a PMKS+ mechanism, which krank does not read";
+        is_json_of_pmks = "this is the JSON of a PMKS+ mechanism, which krank does not read; `krank import` reads its addresses";
 
         // Values.
         must_be(what: &str, wanted: &str, found: &str) = "{what} must be {wanted}, not {found}";

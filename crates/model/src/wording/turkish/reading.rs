@@ -27,11 +27,17 @@ catalogue! {
         no_contacts_yet = "krank henüz temasları modellemez";
         motion_is_given =
             "krank bir kuvvetten ya da torktan hareket hesaplamaz: hızı verin, yükleri [[loads]] içine yazın";
+        joints_are_points =
+            "krank'ta mafsal listesi yoktur: iki uzvun ya da bir uzuv ile [ground] bölümünün adlandırdığı nokta döner mafsaldır";
+        sliders_are_slides = "kayan parça [slides] bölümünde yazılır: yarıktaki bir pim ya da dönmeyen bir uzuv";
+        motors_are_drivers = "giriş [driver] bölümüdür, öteki girişler [inputs]; [motor] tahriki derecelendirir";
+        anchors_are_ground = "sabit noktalar [ground] bölümündedir";
+        bars_are_links = "rijit parçalar [links] bölümündedir";
         krank_reads_toml = "sahne bir TOML dosyasıdır: `krank help scene` onu anlatır";
         is_an_address = "bu bir internet adresi, sahne değil";
-        is_a_pmks_address = "bu bir PMKS+ mekanizmasının adresi; krank onu okumaz";
+        is_a_pmks_address = "bu bir PMKS+ mekanizmasının adresi, sahne değil: onu `krank import` ile çevirin";
         is_json = "bu JSON, TOML değil";
-        is_json_of_pmks = "bu bir PMKS+ mekanizmasının JSON'u; krank onu okumaz";
+        is_json_of_pmks = "bu bir PMKS+ mekanizmasının JSON'u; krank onu okumaz, `krank import` adreslerini okur";
 
         // Values.
         must_be(what: &str, wanted: &str, found: &str) = "{what} {wanted} olmalı, {found} değil";
