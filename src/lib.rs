@@ -88,6 +88,7 @@ pub mod cli;
 pub mod drawing;
 mod files;
 pub mod handover;
+pub mod import;
 mod manual;
 pub mod page;
 mod pixels;

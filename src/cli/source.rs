@@ -1,10 +1,12 @@
 //! Finds and opens the scene on the command line.
 
 use crate::assembly::AssemblyRequest;
-use crate::cli::failure::Failure;
+use crate::cli::failure::{Failure, note};
 use crate::cli::output::{self, OutputArgs};
+use crate::cli::screen::TextScreen;
 use crate::document::foreign;
 use crate::files::{is_same_file, limited, read_any};
+use crate::import::{self, Imported};
 use crate::quantity::check_figures;
 use crate::scene::presets::{self, Preset};
 use crate::scene::{MAX_FILE_SIZE, Scene};
@@ -99,6 +101,20 @@ pub(super) enum SceneSource {
     Stdin,
     Preset(&'static Preset),
     File(PathBuf),
+    /// An internet address that contains a mechanism of another program.
+    Address(String),
+}
+
+impl SceneSource {
+    /// Returns the name in messages.
+    fn shown(&self) -> String {
+        match self {
+            SceneSource::Stdin => "stdin".to_owned(),
+            SceneSource::Preset(preset) => preset.name.to_owned(),
+            SceneSource::File(path) => path.display().to_string(),
+            SceneSource::Address(address) => address.clone(),
+        }
+    }
 }
 
 /// Returns the source of the scene that the command line names.
@@ -106,13 +122,65 @@ pub(super) fn find(name: &Path) -> Result<SceneSource, Failure> {
     source(name, Path::exists)
 }
 
+/// Reads a scene, or the file of another program, whose remarks are printed.
 fn read(source: &SceneSource) -> Result<Scene, Failure> {
-    let scene = match source {
-        SceneSource::Preset(preset) => Scene::parse(preset.text, preset.name),
-        SceneSource::Stdin => Scene::read(&standard_input()?, "stdin"),
-        SceneSource::File(path) => Scene::read(&contents(path)?, &path.display().to_string()),
+    if let SceneSource::Preset(preset) = source {
+        return Scene::parse(preset.text, preset.name).map_err(Failure::Scene);
+    }
+    let bytes = bytes(source)?;
+    let origin = source.shown();
+    if import::recognize(&bytes).is_none() {
+        return Scene::read(&bytes, &origin).map_err(Failure::Scene);
+    }
+    let imported = converted(source, &bytes)?;
+    let screen = TextScreen::detect();
+    for remark in &imported.remarks {
+        note(remark, screen);
+    }
+    Scene::parse(&imported.text, &origin).map_err(Failure::Scene)
+}
+
+/// Returns the bytes of a source.
+fn bytes(source: &SceneSource) -> Result<Vec<u8>, Failure> {
+    match source {
+        SceneSource::Stdin => standard_input(),
+        SceneSource::Preset(preset) => Ok(preset.text.into()),
+        SceneSource::File(path) => contents(path),
+        SceneSource::Address(address) => Ok(address.clone().into_bytes()),
+    }
+}
+
+/// Reads a file of another program: a path, `-` for standard input, or an address.
+pub(super) fn foreign_contents(name: &Path) -> Result<(SceneSource, Vec<u8>), Failure> {
+    let source = match name.to_str() {
+        Some("-") => SceneSource::Stdin,
+        Some(text) if is_address(text) => SceneSource::Address(text.to_owned()),
+        _ => SceneSource::File(name.to_owned()),
     };
-    scene.map_err(Failure::Scene)
+    let bytes = bytes(&source)?;
+    Ok((source, bytes))
+}
+
+/// Converts the file of another program to a scene.
+pub(super) fn converted(source: &SceneSource, bytes: &[u8]) -> Result<Imported, Failure> {
+    let shown = source.shown();
+    let name = match source {
+        SceneSource::File(path) => path.file_name().unwrap_or(path.as_os_str()),
+        _ => shown.as_ref(),
+    };
+    import::import(bytes, &name.to_string_lossy())
+        .map_err(|why| Failure::Usage(words().import_failed(&shown, &why.to_string())))
+}
+
+/// Returns `true` if another program wrote the file.
+#[cfg(feature = "tui")]
+pub(super) fn is_foreign(path: &Path) -> bool {
+    let bytes = contents(path).ok();
+    bytes.is_some_and(|bytes| import::recognize(&bytes).is_some())
+}
+
+fn is_address(text: &str) -> bool {
+    text.starts_with("http://") || text.starts_with("https://")
 }
 
 /// Reads a scene or a task from standard input.
@@ -133,7 +201,7 @@ pub(super) fn check_output_differs(
     output: Option<&Path>,
 ) -> Result<(), Failure> {
     let read = match source {
-        SceneSource::Preset(_) => return Ok(()),
+        SceneSource::Preset(_) | SceneSource::Address(_) => return Ok(()),
         SceneSource::Stdin => None,
         SceneSource::File(path) => Some(path.as_path()),
     };
@@ -167,6 +235,9 @@ fn source(name: &Path, exists: impl Fn(&Path) -> bool) -> Result<SceneSource, Fa
     if text == "-" {
         return Ok(SceneSource::Stdin);
     }
+    if is_address(text) && import::recognize(text.as_bytes()).is_some() {
+        return Ok(SceneSource::Address(text.to_owned()));
+    }
     if let Some(message) = foreign(text) {
         let help = words().krank_reads_toml();
         return Err(Failure::Usage(format!("{message}; {help}")));
@@ -190,6 +261,7 @@ mod tests {
             Ok(SceneSource::Stdin) => "stdin".into(),
             Ok(SceneSource::Preset(preset)) => format!("preset {}", preset.name),
             Ok(SceneSource::File(path)) => format!("file {}", path.display()),
+            Ok(SceneSource::Address(address)) => format!("address {address}"),
             Err(Failure::NoScene(name)) => format!("no scene {name}"),
             Err(other) => panic!("{other:?}"),
         }

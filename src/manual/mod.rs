@@ -135,6 +135,12 @@ pub(crate) const TOPICS: &[Topic] = &[
             chapter!("faults.md"),
         ],
     },
+    Topic {
+        name: "imports",
+        turkish: "aktarma",
+        about: <dyn Words>::about_import,
+        parts: &[chapter!("imports.md")],
+    },
     #[cfg(feature = "tui")]
     Topic {
         name: "views",

@@ -15,6 +15,7 @@ mod files;
 mod forces;
 mod handover;
 mod help;
+mod import;
 mod language;
 mod manual;
 mod marks;
@@ -157,6 +158,7 @@ fn help_has_an_example_for_each_command() {
         "cycle",
         "tolerance",
         "export",
+        "import",
         "solve",
         "config",
         "help",

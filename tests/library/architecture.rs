@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 
 /// Every module of the crate and its layer: a module may import those of lower layers. Modules of
 /// the same layer do not import each other.
-const PLACES: [(&str, u8); 28] = [
+const PLACES: [(&str, u8); 29] = [
     ("wording", 0),
     ("guide", 0),
     ("numeric", 0),
@@ -39,6 +39,7 @@ const PLACES: [(&str, u8); 28] = [
     ("drawing", 7),
     ("report", 8),
     ("handover", 8),
+    ("import", 8),
     ("capability", 9),
     ("manual", 9),
     ("tui", 10),
@@ -64,7 +65,7 @@ const ROOMS: [(&str, u8); 11] = [
 const LEADING: u8 = 4;
 
 /// Crates, and parts of the standard library, that only some modules may use.
-const FOREIGN: [(&str, &[&str]); 27] = [
+const FOREIGN: [(&str, &[&str]); 28] = [
     // All other modules name the kernel through krank's own root.
     ("kinematics", &["manual"]),
     ("model", &["scene"]),
@@ -79,7 +80,8 @@ const FOREIGN: [(&str, &[&str]); 27] = [
     ("toml", &["document", "scene"]),
     ("annotate_snippets", &["document"]),
     ("csv", &["report"]),
-    ("serde_json", &["report"]),
+    ("serde_json", &["report", "import"]),
+    ("roxmltree", &["import"]),
     ("serde", &["report"]),
     ("num_bigint", &["expression"]),
     ("petgraph", &["solver"]),

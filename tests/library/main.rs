@@ -10,6 +10,7 @@ mod accuracy;
 mod architecture;
 mod broken;
 mod harmless;
+mod imports;
 mod line_order;
 mod machines;
 mod presets;

@@ -8,6 +8,7 @@ mod exercise;
 mod explain;
 mod export;
 mod grade;
+mod import;
 mod motor;
 mod plot;
 mod report;
@@ -52,6 +53,8 @@ pub(super) enum Command {
     Cycle(cycle::CycleArgs),
     #[command(about = words().does_export(), after_help = words().examples_of_export())]
     Export(export::ExportArgs),
+    #[command(about = words().does_import(), after_help = words().examples_of_import())]
+    Import(import::ImportArgs),
     #[command(about = words().does_study(), after_help = words().examples_of_study())]
     Study(study::StudyArgs),
     #[command(about = words().does_motor(), after_help = words().examples_of_motor())]
@@ -106,6 +109,7 @@ impl Command {
             Command::Start(args) => check::start(args),
             Command::Cycle(args) => cycle::cycle(args, screen),
             Command::Export(args) => export::export(args, screen),
+            Command::Import(args) => import::import(args, screen),
             Command::Tolerance(args) => tolerance::tolerance(args, screen),
             Command::Study(args) => study::study(args, screen),
             Command::Motor(args) => motor::motor(args, screen),

@@ -6,7 +6,8 @@ use crate::cli::choice::OrAuto;
 use crate::cli::failure::Failure;
 use crate::cli::output::write_text;
 use crate::cli::picture::{self, Size};
-use crate::cli::source::{SceneSource, SolvableScene, find, load};
+use crate::cli::source::{SceneSource, SolvableScene, find, is_foreign, load};
+use crate::scene::stem;
 use crate::tui::{self, Options, Origin, TaskOrder};
 use crate::wording::Language;
 use std::path::Path;
@@ -25,6 +26,11 @@ pub(in crate::cli) fn open(
         SceneSource::Preset(preset) => Origin::Preset(preset.name.to_owned()),
         // A pipe cannot be read again or saved to.
         SceneSource::File(path) if !path.is_file() => Origin::Stdin,
+        // Another program's file is never overwritten with a scene.
+        SceneSource::File(path) if is_foreign(&path) => {
+            Origin::New(stem(&path.display().to_string()))
+        }
+        SceneSource::Address(_) => Origin::New(scene.name.clone()),
         SceneSource::File(path) => Origin::File(path),
     };
     let opened = tui::Opened {

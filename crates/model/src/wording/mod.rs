@@ -41,6 +41,7 @@ pub trait Words:
     + FormulasWords
     + HelpingWords
     + HintsWords
+    + ImportsWords
     + ManualWords
     + MethodsWords
     + MotionWords

@@ -94,6 +94,18 @@ step; it prints the columns of krank sweep. In MATLAB and Octave
 [rows, heads] = press_ram(0, 360, 10) returns them instead. You can change a
 length in the script as long as each group keeps its assembly. For a CAD drawing
 use krank draw --format dxf; for values use krank sweep.";
+        examples_of_import = "\
+Examples:
+  krank import fourbar.txt -o fourbar.toml
+  krank import leg.linkage2 | krank check -
+  krank leg.linkage2
+  krank import 'https://designengrlab.github.io/PMKS/pmks.html?mech=...' -o bar.toml
+
+The format is recognised by the contents: text or an address of PMKS, an address
+of PMKS+ with j= and l=, the XML of Linkage, an expression of Pyslvs, or the JSON
+of pylinkage. Every command that takes a scene reads such a file directly. Gears
+and other parts that krank does not model are reported with their place in the
+file; the rest is kept. The scene opens in the pose of the drawing.";
         examples_of_sweep = "\
 Examples:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega

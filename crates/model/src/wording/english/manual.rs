@@ -17,6 +17,7 @@ catalogue! {
         about_forces = "loads, joint forces, and the motor's torque or force";
         about_tolerances = "effects of length tolerances and pin clearances";
         about_drawings = "drawings and plots, for the terminal and for a report";
+        about_import = "files of PMKS, PMKS+, Linkage, Pyslvs and pylinkage";
         about_files = "saving, unsaved edits, exit codes, exercises";
         about_trust = "assemblies, ends of motion, bounds: guarantees and tests";
         about_terminals = "characters, colours, slow lines, cost of a frame";

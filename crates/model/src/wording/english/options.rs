@@ -23,6 +23,8 @@ catalogue! {
         does_sweep = "Write values over the driver's angle, one row per position";
         does_plot = "Plot values over the motion: in characters, or as SVG";
         does_cycle = "Summarize the whole motion: stroke, swing, time ratio, dwells, rates";
+        does_import = "Convert a file of PMKS, PMKS+, Linkage, Pyslvs or pylinkage to a scene";
+        file_to_import = "A file, an address in quotes, or - for standard input";
         does_export = "Write a Python or MATLAB script that computes the positions on its own";
         does_study = "Evaluate many designs: a grid or a sample of numbers, one row each";
         does_motor = "Compute the motor's torque or force over one cycle, and the motion of a ram";

@@ -93,6 +93,18 @@ ve krank'ı gerektirmez. Başlangıcı, sonu ve adımı alır, krank sweep sütu
 yazar; MATLAB ve Octave'da [rows, heads] = press_ram(0, 360, 10) bunları döndürür.
 Her grup montaj biçimini koruduğu sürece betikte bir boyu değiştirebilirsiniz.
 CAD çizimi için krank draw --format dxf, değerler için krank sweep kullanın.";
+        examples_of_import = "\
+Örnekler:
+  krank import fourbar.txt -o fourbar.toml
+  krank import leg.linkage2 | krank check -
+  krank leg.linkage2
+  krank import 'https://designengrlab.github.io/PMKS/pmks.html?mech=...' -o bar.toml
+
+Biçim içeriğinden tanınır: PMKS metni ya da adresi, j= ve l= içeren bir PMKS+
+adresi, Linkage'in XML'i, bir Pyslvs ifadesi ya da pylinkage'in JSON'u. Sahne alan
+her komut böyle bir dosyayı doğrudan okur. Dişliler ve krank'ın modellemediği
+başka parçalar dosyadaki yerleriyle bildirilir; kalanı alınır. Sahne çizimin
+konumunda açılır.";
         examples_of_sweep = "\
 Örnekler:
   krank sweep four-bar --from 0 --to 360 --step 1 --columns C.x,C.vx,r4.omega

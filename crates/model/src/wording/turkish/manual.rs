@@ -17,6 +17,7 @@ catalogue! {
         about_forces = "yükler, mafsal kuvvetleri, motorun torku";
         about_tolerances = "boy toleransları ile pim boşluklarının etkisi";
         about_drawings = "terminal ve rapor için çizimler ve grafikler";
+        about_import = "PMKS, PMKS+, Linkage, Pyslvs ve pylinkage dosyaları";
         about_files = "kaydetme, değişiklikler, çıkış kodları, ödevler";
         about_trust = "montajlar, uçlar, sınırlar: güvenceler ve sınamalar";
         about_terminals = "karakterler, renkler, yavaş hatlar, kare maliyeti";

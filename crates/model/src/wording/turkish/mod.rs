@@ -26,6 +26,7 @@ mod forces;
 mod formulas;
 mod helping;
 mod hints;
+mod imports;
 mod manual;
 mod methods;
 mod motion;

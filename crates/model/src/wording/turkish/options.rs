@@ -22,6 +22,8 @@ catalogue! {
         does_sweep = "Değerleri tahrik açısı boyunca yazın, her konum bir satır";
         does_plot = "Değerlerin hareket boyunca grafiğini çizin: karakterlerle ya da SVG olarak";
         does_cycle = "Bütün hareketi özetleyin: strok, salınım, zaman oranı, bekleme, hız";
+        does_import = "PMKS, PMKS+, Linkage, Pyslvs ya da pylinkage dosyasını sahneye çevirin";
+        file_to_import = "Bir dosya, tırnak içinde bir adres ya da standart girdi için -";
         does_export = "Konumları kendi başına hesaplayan bir Python ya da MATLAB betiği yazın";
         does_study = "Birçok tasarımı hesaplayın: sayıların ızgarası ya da örneği, her biri bir satır";
         does_motor = "Motorun bir döngüdeki torkunu ya da kuvvetini ve koçun hareketini hesaplayın";

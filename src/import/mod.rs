@@ -1,0 +1,329 @@
+//! Imports mechanisms from the files of other linkage programs.
+//!
+//! A reader for each format converts the text to a drawing: points with coordinates, the links that
+//! share them, slides and inputs. The drawing is simplified and written as a commented scene, which
+//! opens in the pose of the drawing. What krank does not model is reported with its place in the
+//! file, and the rest is kept.
+
+mod address;
+mod drawing;
+mod joints;
+mod linkage;
+mod names;
+mod pmks;
+mod pmks_plus;
+mod pylinkage;
+mod pyslvs;
+mod settle;
+mod writer;
+
+use crate::scene::{MAX_FILE_SIZE, Scene, sanitized};
+use crate::solver::{Condition, Order, Solver};
+use crate::wording::words;
+use drawing::{Drawing, DrawnLaw, Remarks};
+use names::ElementNames;
+use std::borrow::Cow;
+use std::collections::HashMap;
+use thiserror::Error;
+use writer::LinkStyle;
+
+/// A scene opens as drawn if no point is farther from its place than this fraction of the size.
+const AS_DRAWN: f64 = 1e-9;
+
+/// The format of a file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ImportFormat {
+    /// The text of PMKS, or its address.
+    Pmks,
+    /// An address of PMKS+.
+    PmksPlus,
+    /// The XML of Linkage.
+    Linkage,
+    /// An expression of Pyslvs.
+    Pyslvs,
+    /// The mechanism of pylinkage in JSON.
+    Pylinkage,
+}
+
+impl ImportFormat {
+    /// Returns the name of the program.
+    #[must_use]
+    pub fn program(self) -> &'static str {
+        match self {
+            ImportFormat::Pmks => "PMKS",
+            ImportFormat::PmksPlus => "PMKS+",
+            ImportFormat::Linkage => "Linkage",
+            ImportFormat::Pyslvs => "Pyslvs",
+            ImportFormat::Pylinkage => "pylinkage",
+        }
+    }
+}
+
+/// A scene that was made from another program's file.
+#[derive(Clone, Debug)]
+pub struct Imported {
+    /// The text of the scene, with comments.
+    pub text: String,
+    /// What was not taken over, or was decided on the way. Each sentence names its place.
+    pub remarks: Vec<String>,
+    /// The format of the file.
+    pub format: ImportFormat,
+}
+
+/// The reason why a file cannot be imported at all.
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("{0}")]
+pub struct ImportError(String);
+
+impl ImportError {
+    fn new(message: &str) -> ImportError {
+        ImportError(sanitized(message, false))
+    }
+
+    fn too_large() -> ImportError {
+        ImportError::new(&words().import_too_large(drawing::MAX_ELEMENTS))
+    }
+}
+
+/// Returns the format of a file, recognised by its contents; `None` for a scene and for anything
+/// that no other program wrote.
+///
+/// ```
+/// use krank::import::{ImportFormat, recognize};
+/// let text = "ground,input,R,0,0\ninput,coupler,R,10,20\n";
+/// assert_eq!(recognize(text.as_bytes()), Some(ImportFormat::Pmks));
+/// assert_eq!(recognize(b"[links]\n"), None);
+/// ```
+#[must_use]
+pub fn recognize(bytes: &[u8]) -> Option<ImportFormat> {
+    let text = decoded(bytes);
+    let text = trimmed(&text);
+    if linkage::is_linkage(text) {
+        return Some(ImportFormat::Linkage);
+    }
+    if pyslvs::is_pyslvs(text) {
+        return Some(ImportFormat::Pyslvs);
+    }
+    if pylinkage::is_pylinkage(text) {
+        return Some(ImportFormat::Pylinkage);
+    }
+    if is_address(text) {
+        let (address, _) = first_address(text);
+        let parameters = address::parameters(address);
+        if address::value(&parameters, "mech").is_some() {
+            return Some(ImportFormat::Pmks);
+        }
+        let is_plus = address::value(&parameters, "j").is_some() || is_of_pmks(address);
+        return is_plus.then_some(ImportFormat::PmksPlus);
+    }
+    pmks::is_pmks(text).then_some(ImportFormat::Pmks)
+}
+
+/// Converts another program's file to a scene. `name` is the file's name without folder, or the
+/// address.
+///
+/// # Errors
+/// Returns why the file has no mechanism that can be read.
+pub fn import(bytes: &[u8], name: &str) -> Result<Imported, ImportError> {
+    if bytes.len() > MAX_FILE_SIZE {
+        return Err(ImportError::too_large());
+    }
+    let format = recognize(bytes);
+    let format = format.ok_or_else(|| ImportError::new(words().import_unknown_format()))?;
+    let text = decoded(bytes);
+    let text = trimmed(&text);
+    let mut drawing = match format {
+        ImportFormat::Linkage => linkage::read_linkage(text)?,
+        ImportFormat::Pyslvs => pyslvs::read_pyslvs(text)?,
+        ImportFormat::Pylinkage => pylinkage::read_pylinkage(text)?,
+        ImportFormat::Pmks if is_address(text) => {
+            let (address, joints) = first_address(text);
+            let parameters = address::parameters(address);
+            let mechanism = address::value(&parameters, "mech").unwrap_or_default();
+            // The joints may follow in lines of their own.
+            pmks::read_pmks(&format!("{mechanism}\n{joints}"))?
+        }
+        ImportFormat::Pmks => pmks::read_pmks(text)?,
+        ImportFormat::PmksPlus => {
+            let (address, _) = first_address(text);
+            let parameters = address::parameters(address);
+            match address::value(&parameters, "j") {
+                Some(_) => pmks_plus::read_pmks_plus(&parameters)?,
+                None => return Err(packed(address)),
+            }
+        }
+    };
+    if is_address(text) && text.lines().skip(1).any(is_address) {
+        drawing.remarks.add("", words().import_other_addresses());
+    }
+    settle::settle(&mut drawing);
+    let mut remarks = std::mem::take(&mut drawing.remarks);
+    hold_inputs(&drawing, &mut remarks);
+    let names = names::assign(&drawing, &mut remarks);
+    let mut remarks: Vec<String> = remarks
+        .into_list()
+        .iter()
+        .map(|remark| sanitized(remark, false))
+        .collect();
+    let writer = ImportWriter {
+        drawing: &drawing,
+        names: &names,
+        format,
+        file: name,
+    };
+    let text = writer.text(&mut remarks);
+    Ok(Imported {
+        text,
+        remarks,
+        format,
+    })
+}
+
+/// Remarks upon inputs that cannot follow the driver linearly: they stand as drawn.
+fn hold_inputs(drawing: &Drawing, remarks: &mut Remarks) {
+    let [driver, others @ ..] = drawing.inputs.as_slice() else {
+        return;
+    };
+    for input in others {
+        let ratio = writer::ratio(&driver.law, &input.law);
+        match ratio {
+            None => remarks.add(&input.place, words().import_input_is_held()),
+            Some(_) if input.law == DrawnLaw::Unknown => {
+                remarks.add(&input.place, words().import_same_speed());
+            }
+            Some(_) => {}
+        }
+    }
+}
+
+/// How a scene opens, compared with its drawing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum OpeningPose {
+    AsDrawn,
+    Elsewhere,
+    /// The scene does not open.
+    Nowhere,
+}
+
+/// Writes a drawing as a scene, and checks how the scene opens.
+struct ImportWriter<'d> {
+    drawing: &'d Drawing,
+    names: &'d ElementNames,
+    format: ImportFormat,
+    /// The name of the file, or the address.
+    file: &'d str,
+}
+
+impl ImportWriter<'_> {
+    /// Returns the scene in the form of a textbook, or in the drawing's coordinates where only
+    /// these open as drawn.
+    fn text(&self, remarks: &mut Vec<String>) -> String {
+        let text = self.written(LinkStyle::Ends, remarks);
+        let pose = self.pose(&text);
+        if pose == OpeningPose::AsDrawn {
+            return text;
+        }
+        let drawn = self.written(LinkStyle::Drawn, remarks);
+        match (self.pose(&drawn), pose) {
+            (OpeningPose::AsDrawn, _) => drawn,
+            (_, OpeningPose::Nowhere) => text,
+            _ => {
+                remarks.push(words().import_not_as_drawn().to_owned());
+                self.written(LinkStyle::Ends, remarks)
+            }
+        }
+    }
+
+    fn written(&self, style: LinkStyle, remarks: &[String]) -> String {
+        let program = self.format.program();
+        let shown = match is_address(self.file) {
+            true => words().import_an_address(program),
+            false => words().import_a_file(program, &sanitized(self.file, false)),
+        };
+        let title = match is_address(self.file) {
+            true => program.to_owned(),
+            false => crate::scene::stem(self.file),
+        };
+        let about = [words().import_about(program), title, shown];
+        let about = about.each_ref().map(String::as_str);
+        writer::scene_text(self.drawing, self.names, style, about, remarks)
+    }
+
+    /// Opens a scene and compares every point with its place in the drawing.
+    fn pose(&self, text: &str) -> OpeningPose {
+        let Ok(scene) = Scene::parse(text, "") else {
+            return OpeningPose::Nowhere;
+        };
+        let Ok(solver) = Solver::new(&scene.mechanism) else {
+            return OpeningPose::Nowhere;
+        };
+        let mut state = solver.state();
+        let start = scene.mechanism.driver().start;
+        if solver.solve(start, Order::Position, &mut state) == Condition::NoAssembly {
+            return OpeningPose::Nowhere;
+        }
+        let names = self.names.points.iter().map(String::as_str);
+        let drawn: HashMap<&str, [f64; 2]> = names
+            .zip(self.drawing.points.iter().map(|point| point.at))
+            .collect();
+        let most = AS_DRAWN * self.drawing.size();
+        let mut points = scene.mechanism.point_ids();
+        let is_as_drawn = points.all(|point| {
+            let at = scene.point_name(point).and_then(|name| drawn.get(name));
+            let (Some([x, y]), Some(found)) = (at, state.position(point)) else {
+                return true;
+            };
+            (found.x - x).hypot(found.y - y) <= most
+        });
+        match is_as_drawn {
+            true => OpeningPose::AsDrawn,
+            false => OpeningPose::Elsewhere,
+        }
+    }
+}
+
+/// Returns the error of an address whose contents are packed.
+fn packed(address: &str) -> ImportError {
+    let query = address.split_once('?').map_or("", |(_, query)| query);
+    let version: String = query.chars().take_while(|&c| c != '.').take(8).collect();
+    let is_version = version.starts_with(|c: char| c.is_ascii_digit());
+    let version = if is_version { version.as_str() } else { "" };
+    ImportError::new(&words().import_packed(version))
+}
+
+/// Returns the text of a file. Files in an older encoding keep their ASCII characters.
+fn decoded(bytes: &[u8]) -> Cow<'_, str> {
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_) => bytes
+            .iter()
+            .map(|&byte| char::from(byte))
+            .collect::<String>()
+            .into(),
+    }
+}
+
+fn trimmed(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text).trim()
+}
+
+fn is_address(text: &str) -> bool {
+    text.starts_with("http://") || text.starts_with("https://")
+}
+
+/// Returns the address in the first line of a file, and the lines up to the next one.
+fn first_address(text: &str) -> (&str, &str) {
+    let (address, rest) = text.split_once('\n').unwrap_or((text, ""));
+    let mut offset = 0;
+    let mut lines = rest.split_inclusive('\n');
+    let end = lines.find_map(|line| {
+        let begin = offset;
+        offset += line.len();
+        is_address(line.trim_start()).then_some(begin)
+    });
+    (address.trim(), &rest[..end.unwrap_or(rest.len())])
+}
+
+fn is_of_pmks(text: &str) -> bool {
+    text.to_ascii_lowercase().contains("pmks")
+}

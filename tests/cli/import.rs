@@ -1,0 +1,128 @@
+//! Tests of `krank import`, and of other programs' files as scenes.
+
+use super::{command, done, folder, json, krank, refused, run};
+use std::fs;
+
+fn file(name: &str) -> String {
+    format!("{}/tests/import/{name}", env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The scene is the same on standard output and in a file, and is a scene for every command.
+#[test]
+fn import_writes_a_scene_that_opens() {
+    let source = file("four-bar.linkage2");
+    let text = done(&["import", &source]);
+    assert!(
+        text.starts_with("# Imported from a file of Linkage."),
+        "{text}"
+    );
+    let scene = folder("import").join("four-bar.toml");
+    let scene = scene.to_str().unwrap();
+    let heard = krank(&["import", &source, "-o", scene]);
+    assert_eq!((heard.code, heard.out.as_str()), (0, ""));
+    assert_eq!(fs::read_to_string(scene).unwrap(), text);
+    let check = json(&done(&["check", scene, "--format", "json"]));
+    assert_eq!(check, json(&done(&["check", &source, "--format", "json"])));
+}
+
+/// A file of another program is a scene for every command, by its contents.
+#[test]
+fn commands_read_files_of_other_programs() {
+    let copy = folder("import").join("unnamed");
+    fs::copy(file("slider-crank.pmks.txt"), &copy).unwrap();
+    let copy = format!("./{}", copy.file_name().unwrap().to_str().unwrap());
+    let heard = run(command(&["table", &copy, "--at", "60"]).current_dir(folder("import")));
+    assert_eq!(heard.code, 0, "{}", heard.err);
+    // The file marks no input, and names none.
+    assert!(
+        heard.err.contains("note: line 3: the file marks no input"),
+        "{}",
+        heard.err
+    );
+    let piped =
+        run(command(&["check", "-"]).stdin(fs::File::open(file("four-bar.pyslvs")).unwrap()));
+    assert_eq!(piped.code, 0, "{}", piped.err);
+    assert!(piped.out.contains("link_0"), "{}", piped.out);
+}
+
+#[test]
+fn addresses_are_files() {
+    let address = fs::read_to_string(file("four-bar.pmks-plus.txt")).unwrap();
+    let address = address.trim();
+    let text = done(&["import", address]);
+    assert!(text.contains("CBE = { from = \"B\""), "{text}");
+    assert!(done(&["check", address]).contains("CBE"));
+    let packed = refused(2, &["check", "https://app.pmksplus.com/?0.2.2.6.1.R.Y.Y.N"]);
+    assert!(packed.contains("packed of version 0"), "{packed}");
+    let other = refused(2, &["check", "https://example.org/linkage"]);
+    assert!(other.contains("internet address"), "{other}");
+}
+
+/// The scene of a file with gears is written, and its fault ends the command with 2.
+#[test]
+fn a_scene_that_needs_more_is_written_and_explained() {
+    let scene = folder("import").join("gears.toml");
+    let heard = krank(&[
+        "import",
+        &file("gears.linkage2"),
+        "-o",
+        scene.to_str().unwrap(),
+    ]);
+    assert_eq!(heard.code, 2, "{}", heard.err);
+    assert!(
+        heard.err.contains("krank does not model gears"),
+        "{}",
+        heard.err
+    );
+    assert!(heard.err.contains("error:"), "{}", heard.err);
+    let text = fs::read_to_string(&scene).unwrap();
+    assert!(
+        text.contains("krank does not model gears; left out\n"),
+        "{text}"
+    );
+    // Later commands say the same.
+    let later = refused(2, &["check", scene.to_str().unwrap()]);
+    assert!(heard.err.ends_with(&later), "{later}\n{}", heard.err);
+}
+
+#[test]
+fn import_refuses_what_it_cannot_read() {
+    let press = concat!(env!("CARGO_MANIFEST_DIR"), "/presets/press.toml");
+    let told = refused(2, &["import", press]);
+    assert!(told.contains("no file of PMKS"), "{told}");
+    let told = refused(2, &["import", "missing.linkage2"]);
+    assert!(told.contains("missing.linkage2"), "{told}");
+    // The file is not replaced by its scene.
+    let copy = folder("import").join("same.linkage2");
+    fs::copy(file("four-bar.linkage2"), &copy).unwrap();
+    let copy = copy.to_str().unwrap();
+    refused(2, &["import", copy, "-o", copy]);
+    assert_eq!(
+        fs::read(copy).unwrap(),
+        fs::read(file("four-bar.linkage2")).unwrap()
+    );
+    let large = folder("import").join("large.linkage2");
+    fs::write(&large, format!("<linkage2>{}", " ".repeat(1 << 20))).unwrap();
+    let told = refused(2, &["import", large.to_str().unwrap()]);
+    assert!(told.contains("too large"), "{told}");
+}
+
+/// The workbench never saves over the file of another program: the scene is a new one.
+#[cfg(feature = "tui")]
+#[test]
+fn workbench_opens_a_file_as_a_new_scene() {
+    let screen = done(&[&file("four-bar.linkage2"), "--print", "--size", "100x30"]);
+    assert!(screen.contains("four-bar"), "{screen}");
+    assert!(!screen.contains("four-bar.linkage2"), "{screen}");
+}
+
+#[test]
+fn turkish_remarks_are_turkish() {
+    let heard = krank(&["--language", "tr", "import", &file("gears.pmks.txt")]);
+    assert!(heard.err.contains("dislileri modellemez"), "{}", heard.err);
+    assert!(
+        heard.out.contains("PMKS programının bir dosyasından"),
+        "{}",
+        heard.out
+    );
+}

@@ -1,0 +1,715 @@
+//! Tests of imported files: every scene opens in the pose of its drawing, has one input, and moves
+//! with rigid links.
+//!
+//! The files in `tests/import` are in the published layouts of other programs. The places and the
+//! rigid links below are written from the files by hand.
+
+use krank::import::{ImportFormat, Imported, import, recognize};
+use krank::scene::Scene;
+use krank::solver::{Condition, Order, Solver};
+use krank::{Input, Vec2};
+use proptest::prelude::*;
+use std::collections::HashMap;
+use std::path::PathBuf;
+
+fn file(name: &str) -> Vec<u8> {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/import");
+    std::fs::read(folder.join(name)).unwrap()
+}
+
+fn imported(name: &str) -> Imported {
+    import(&file(name), name).unwrap_or_else(|why| panic!("{name}: {why}"))
+}
+
+type Place = (&'static str, [f64; 2]);
+
+/// What a file says.
+struct Said {
+    file: &'static str,
+    format: ImportFormat,
+    /// The size of a unit of the file in the scene's unit.
+    scale: f64,
+    /// All points by their names in the scene.
+    places: &'static [Place],
+    /// The names of the points of each moving link.
+    rigid: &'static [&'static [&'static str]],
+    /// Points and the straight lines on which they move: a place and a direction.
+    lines: &'static [(&'static str, [f64; 2], [f64; 2])],
+    /// The driven element, and how its coordinate opens; `None` for a driven link.
+    driver: (&'static str, Option<f64>),
+}
+
+const MM: f64 = 25.4 / 96.0;
+const INCH: f64 = 1.0 / 96.0;
+
+const FOUR_BAR: &[Place] = &[
+    ("A", [0.0, 0.0]),
+    ("B", [15.0, 40.0]),
+    ("C", [95.0, 75.0]),
+    ("D", [120.0, -10.0]),
+    ("E", [60.0, 95.0]),
+];
+
+const SAID: &[Said] = &[
+    Said {
+        file: "four-bar.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: FOUR_BAR,
+        rigid: &[&["A", "B"], &["B", "C", "E"], &["C", "D"]],
+        lines: &[],
+        driver: ("input", None),
+    },
+    Said {
+        file: "address.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: FOUR_BAR.split_at(4).0,
+        rigid: &[&["A", "B"], &["B", "C"], &["C", "D"]],
+        lines: &[],
+        driver: ("input", None),
+    },
+    Said {
+        file: "slider-crank.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: &[("A", [0.0, 0.0]), ("B", [3.0, 4.0]), ("C", [15.0, 1.0])],
+        rigid: &[&["A", "B"], &["B", "C"]],
+        lines: &[(
+            "C",
+            [15.0, 1.0],
+            [0.984_807_753_012_208_1, 0.173_648_177_666_930_33],
+        )],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "inverted-slider.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [30.0, 40.0]),
+            ("C", [-50.0, -20.0]),
+            ("D", [30.0, 40.0]),
+            ("E", [100.0, 77.0]),
+        ],
+        rigid: &[&["A", "D"], &["C", "E"]],
+        lines: &[],
+        driver: ("R", None),
+    },
+    Said {
+        file: "multi-pin.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [30.0, 40.0]),
+            ("C", [-80.0, 30.0]),
+            ("D", [110.0, 50.0]),
+            ("E", [-60.0, -50.0]),
+            ("F", [90.0, -60.0]),
+        ],
+        rigid: &[
+            &["A", "B"],
+            &["B", "C"],
+            &["B", "D"],
+            &["C", "E"],
+            &["D", "F"],
+        ],
+        lines: &[],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "two-slots.pmks.txt",
+        format: ImportFormat::Pmks,
+        scale: 1.0,
+        places: &[
+            ("A", [40.0, 0.0]),
+            ("B", [0.0, 30.0]),
+            ("C", [20.0, 15.0]),
+            ("D", [30.0, -20.0]),
+            ("E", [5.0, -5.0]),
+        ],
+        rigid: &[&["A", "B", "C"], &["C", "D"], &["D", "E"]],
+        lines: &[
+            ("A", [40.0, 0.0], [1.0, 0.0]),
+            ("B", [0.0, 30.0], [0.0, 1.0]),
+        ],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "slider-crank.pmks-plus.txt",
+        format: ImportFormat::PmksPlus,
+        scale: 1.0,
+        places: &[
+            ("a", [-1.5, -2.0]),
+            ("b", [0.5, 2.0]),
+            ("c", [2.75, 0.25]),
+            ("F1", [1.5, 1.5]),
+        ],
+        rigid: &[&["a", "b"], &["b", "c", "F1"]],
+        lines: &[("c", [2.75, 0.25], [1.0, 0.0])],
+        driver: ("ab", None),
+    },
+    Said {
+        file: "four-bar.pmks-plus.txt",
+        format: ImportFormat::PmksPlus,
+        scale: 1.0,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [1.0, 2.0]),
+            ("C", [5.0, 3.0]),
+            ("D", [6.0, -1.0]),
+            ("E", [3.0, 5.0]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C", "E"], &["C", "D"]],
+        lines: &[],
+        driver: ("AB", None),
+    },
+    Said {
+        file: "four-bar.pyslvs",
+        format: ImportFormat::Pyslvs,
+        scale: 1.0,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [14.5, 30.25]),
+            ("C", [70.0, 65.5]),
+            ("D", [30.0, 70.0]),
+            ("E", [92.0, 0.0]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C", "D"], &["C", "E"]],
+        lines: &[],
+        driver: ("link_0", None),
+    },
+    Said {
+        file: "sliders.pyslvs",
+        format: ImportFormat::Pyslvs,
+        scale: 1.0,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [20.0, 15.0]),
+            ("C", [80.0, 5.0]),
+            ("D", [100.0, 60.0]),
+            ("E", [140.0, 10.0]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C"], &["C", "D"], &["D", "E"]],
+        lines: &[("C", [80.0, 5.0], [1.0, 0.0])],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "four-bar.pylinkage.json",
+        format: ImportFormat::Pylinkage,
+        scale: 1.0,
+        places: &[
+            ("O1", [0.0, 0.0]),
+            ("O2", [4.0, 0.5]),
+            ("Crank_pin", [0.0, 1.0]),
+            ("B", [3.0, 3.0]),
+            ("P", [1.0, 3.5]),
+        ],
+        rigid: &[&["O1", "Crank_pin"], &["Crank_pin", "B", "P"], &["B", "O2"]],
+        lines: &[],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "slider-crank.pylinkage.json",
+        format: ImportFormat::Pylinkage,
+        scale: 1.0,
+        places: &[("O", [0.0, 0.0]), ("A", [3.0, 4.0]), ("S", [15.0, 1.0])],
+        rigid: &[&["O", "A"], &["A", "S"]],
+        lines: &[(
+            "S",
+            [15.0, 1.0],
+            [0.970_142_500_145_332_1, 0.242_535_625_036_333],
+        )],
+        driver: ("crank", None),
+    },
+    Said {
+        file: "four-bar.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [0.0, 94.488_189]),
+            ("C", [283.464_567, 150.0]),
+            ("D", [340.0, -40.0]),
+            ("E", [150.0, 260.0]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C", "E"], &["C", "D"]],
+        lines: &[],
+        driver: ("link-1", None),
+    },
+    Said {
+        file: "sliders.linkage2",
+        format: ImportFormat::Linkage,
+        scale: INCH,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [30.0, 40.0]),
+            ("C", [150.0, 20.0]),
+            ("D", [100.0, 20.0]),
+            ("E", [260.0, 20.0]),
+            ("G", [-50.0, -53.333_333]),
+            ("H", [70.0, 86.666_667]),
+            ("I", [200.0, 160.0]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C"], &["G", "H", "I"]],
+        lines: &[("C", [150.0, 20.0], [1.0, 0.0])],
+        driver: ("link-1", None),
+    },
+    Said {
+        file: "actuator.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [120.0, 20.0]),
+            ("C", [150.0, 90.0]),
+            ("D", [-60.0, -20.0]),
+            ("E", [300.0, 120.0]),
+        ],
+        rigid: &[&["A", "B", "C", "E"]],
+        lines: &[],
+        // The distance from D to C: 210 and 110.
+        driver: ("link-2", Some(237.065_391_823_6)),
+    },
+    Said {
+        file: "two-actuators.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [120.0, 20.0]),
+            ("C", [150.0, 90.0]),
+            ("D", [-60.0, -20.0]),
+            ("E", [300.0, 120.0]),
+            ("F", [330.0, -80.0]),
+        ],
+        rigid: &[&["A", "B", "C", "E"], &["E", "F"]],
+        lines: &[],
+        driver: ("link-2", Some(237.065_391_823_6)),
+    },
+    Said {
+        file: "fastened.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [30.0, 40.0]),
+            ("C", [180.0, 90.0]),
+            ("D", [220.0, -30.0]),
+            ("E", [250.0, 150.0]),
+            ("F", [300.0, 100.0]),
+            ("G", [350.0, -60.0]),
+        ],
+        rigid: &[
+            &["A", "B"],
+            &["B", "C"],
+            &["C", "D", "E"],
+            &["E", "F"],
+            &["F", "G"],
+        ],
+        lines: &[],
+        driver: ("link-1", None),
+    },
+    Said {
+        file: "arc-slot.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [-60.0, 0.0]),
+            ("B", [-40.0, 30.0]),
+            ("C", [82.635_182, 38.480_775]),
+            ("D", [13.397_460, -10.0]),
+            ("E", [176.604_444, 4.278_761]),
+        ],
+        rigid: &[&["A", "B"], &["B", "C"]],
+        lines: &[],
+        driver: ("link-1", None),
+    },
+    Said {
+        file: "two-inputs.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [20.0, 50.0]),
+            ("C", [200.0, 0.0]),
+            ("D", [230.0, 40.0]),
+            ("E", [120.0, 150.0]),
+        ],
+        rigid: &[&["A", "B"], &["C", "D"], &["B", "E"], &["D", "E"]],
+        lines: &[],
+        driver: ("link-1", None),
+    },
+    Said {
+        file: "mixed-inputs.linkage2",
+        format: ImportFormat::Linkage,
+        scale: MM,
+        places: &[
+            ("A", [0.0, 0.0]),
+            ("B", [20.0, 50.0]),
+            ("C", [200.0, 0.0]),
+            ("D", [230.0, 40.0]),
+            ("E", [120.0, 150.0]),
+            ("F", [330.0, -20.0]),
+        ],
+        rigid: &[
+            &["A", "B"],
+            &["C", "D"],
+            &["B", "E"],
+            &["D", "E"],
+            &["D", "F"],
+        ],
+        lines: &[],
+        driver: ("link-1", None),
+    },
+];
+
+/// A scene, its solver and the ids of its points.
+struct Opened {
+    scene: Scene,
+    solver: Solver,
+}
+
+impl Opened {
+    fn new(name: &str, text: &str) -> Opened {
+        let scene =
+            Scene::parse(text, name).unwrap_or_else(|why| panic!("{name}: {why:?}\n{text}"));
+        let solver = Solver::new(&scene.mechanism);
+        let solver = solver.unwrap_or_else(|why| panic!("{name}: {why:?}\n{text}"));
+        Opened { scene, solver }
+    }
+
+    /// Returns the places of all points at a coordinate of the driver.
+    fn places(&self, at: f64) -> HashMap<String, Vec2> {
+        let mut state = self.solver.state();
+        let condition = self.solver.solve(at, Order::Position, &mut state);
+        assert_ne!(condition, Condition::NoAssembly, "{at}");
+        let points = self.scene.mechanism.point_ids();
+        points
+            .filter_map(|point| {
+                let name = self.scene.point_name(point)?.to_owned();
+                Some((name, state.position(point)?))
+            })
+            .collect()
+    }
+}
+
+fn distance(one: [f64; 2], other: [f64; 2]) -> f64 {
+    (one[0] - other[0]).hypot(one[1] - other[1])
+}
+
+/// The opening pose is the drawing, and 40 further positions have rigid links and straight slots.
+#[test]
+fn scenes_open_as_drawn_and_move() {
+    for said in SAID {
+        let name = said.file;
+        assert_eq!(recognize(&file(name)), Some(said.format), "{name}");
+        let imported = imported(name);
+        assert_eq!(imported.format, said.format, "{name}");
+        let opened = Opened::new(name, &imported.text);
+        let scaled = |at: [f64; 2]| at.map(|x| said.scale * x);
+        let drawn: HashMap<&str, [f64; 2]> = said
+            .places
+            .iter()
+            .map(|&(point, at)| (point, scaled(at)))
+            .collect();
+        let far = |one: &[f64; 2]| {
+            drawn
+                .values()
+                .map(|other| distance(*one, *other))
+                .fold(0.0, f64::max)
+        };
+        let size = drawn.values().map(far).fold(0.0, f64::max);
+
+        let driver = opened.scene.mechanism.driver();
+        assert_eq!(
+            opened.scene.driven_name(driver.input),
+            said.driver.0,
+            "{name}"
+        );
+        if let Some(position) = said.driver.1 {
+            assert!(matches!(driver.input, Input::Push(_)), "{name}");
+            assert!(
+                (driver.start - said.scale * position).abs() < 1e-9 * size,
+                "{name} {driver:?}"
+            );
+        }
+        let places = opened.places(driver.start);
+        for (point, at) in &drawn {
+            // Two joints at one place may be one point of the scene.
+            let Some(found) = places.get(*point) else {
+                assert!(
+                    drawn
+                        .iter()
+                        .any(|(other, same)| other != point && same == at),
+                    "{name} {point}"
+                );
+                continue;
+            };
+            let off = distance([found.x, found.y], *at);
+            assert!(
+                off <= 1e-9 * size,
+                "{name}: {point} is {off:e} off\n{}",
+                imported.text
+            );
+        }
+
+        let (low, high) = opened.solver.motion().range.ends();
+        assert!(high - low > 0.0, "{name}: [{low}, {high}]");
+        let mut moved = 0.0_f64;
+        for k in 1..=40_u32 {
+            let at = low + (high - low) * (f64::from(k) - 0.5) / 40.0;
+            let here = opened.places(at);
+            for link in said.rigid {
+                for pair in link.windows(2) {
+                    let [one, other] =
+                        [pair[0], pair[1]].map(|point| [here[point].x, here[point].y]);
+                    let meant = distance(drawn[pair[0]], drawn[pair[1]]);
+                    let off = (distance(one, other) - meant).abs();
+                    // The actuator of `mixed-inputs` is held.
+                    assert!(off <= 1e-9 * size, "{name} {at}: {pair:?} {off:e}");
+                }
+            }
+            for (point, through, [cos, sin]) in said.lines {
+                let [x, y] = scaled(*through);
+                let off = (here[*point].x - x) * sin - (here[*point].y - y) * cos;
+                assert!(off.abs() <= 1e-9 * size, "{name} {at}: {point} {off:e}");
+            }
+            for (point, from) in &drawn {
+                if let Some(here) = here.get(*point) {
+                    moved = moved.max(distance([here.x, here.y], *from));
+                }
+            }
+        }
+        assert!(moved > 1e-3 * size, "{name}: nothing moves");
+    }
+}
+
+#[test]
+fn a_pin_follows_its_arc() {
+    let imported = imported("arc-slot.linkage2");
+    let opened = Opened::new("arc", &imported.text);
+    let (low, high) = opened.solver.motion().range.ends();
+    for k in 0..=20_u32 {
+        let here = opened.places(low + (high - low) * f64::from(k) / 20.0);
+        let off = distance([here["C"].x, here["C"].y], [100.0, -60.0].map(|x| x * MM)) - 100.0 * MM;
+        assert!(off.abs() < 1e-6, "{off:e}");
+    }
+}
+
+#[test]
+fn slots_turn_with_their_links() {
+    // The pin of the crank is on the line from C through the rocker's direction.
+    let opened = Opened::new("slot", &imported("inverted-slider.pmks.txt").text);
+    for at in [-170.0, -60.0, 10.0, 95.0] {
+        let here = opened.places(at);
+        let (c, d, e) = (here["C"], here["D"], here["E"]);
+        // In the drawing, E is off the slot by the angle from C to E.
+        let angle = |p: Vec2| p.y.atan2(p.x);
+        let turned =
+            angle(Vec2::new(e.x - c.x, e.y - c.y)) - angle(Vec2::new(d.x - c.x, d.y - c.y));
+        let drawn = 97_f64.atan2(150.0) - 60_f64.atan2(80.0);
+        let off = (turned - drawn).rem_euclid(std::f64::consts::PI);
+        assert!(off.min(std::f64::consts::PI - off) < 1e-9, "{at}: {off:e}");
+    }
+}
+
+#[test]
+fn speeds_ratios_and_sine_are_taken_over() {
+    let text = imported("two-inputs.linkage2").text;
+    assert!(text.contains("speed = \"-15 rpm\""), "{text}");
+    let scene = Scene::parse(&text, "t").unwrap();
+    let [timed] = scene.mechanism.timed() else {
+        panic!("{text}");
+    };
+    // 30 rpm the other way round. The cranks open at atan2(50, 20) and atan2(40, 30).
+    let [first, second] = [50_f64.atan2(20.0), 40_f64.atan2(30.0)].map(f64::to_degrees);
+    assert!((timed.coordinate(first) - second).abs() < 1e-9);
+    assert!((timed.coordinate(first + 1.0) - (second - 2.0)).abs() < 1e-9);
+
+    let text = imported("actuator.linkage2").text;
+    let scene = Scene::parse(&text, "t").unwrap();
+    let law = scene.motion.expect("a sine");
+    let start = scene.mechanism.driver().start;
+    assert!((law.period() - 4.0).abs() < 1e-12);
+    // The throw is 50 from the drawing outwards: a sine about the middle.
+    let stroke = 50.0 * MM;
+    for (time, share) in [
+        (0.0, 0.0),
+        (1.0, 0.5),
+        (2.0, 1.0),
+        (3.0, 0.5),
+        (4.0, 0.0),
+        (1.0 / 3.0, 0.066_987_298),
+    ] {
+        let at = law.at(time).at - start;
+        assert!((at - share * stroke).abs() < 1e-7 * stroke, "{time}: {at}");
+    }
+    let fastest = std::f64::consts::PI / 4.0 * stroke;
+    assert!((law.at(1.0).speed - fastest).abs() < 1e-11 * fastest);
+
+    let text = imported("slider-crank.pmks-plus.txt").text;
+    for part in [
+        "unit   = \"cm\"",
+        "speed = \"-10 rpm\"",
+        "gravity = [0, -9.81]",
+        "mass = 2",
+        "force = [3, 0]",
+    ] {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let text = imported("slider-crank.pylinkage.json").text;
+    assert!(
+        text.contains("speed = \"0.1 rad/s\"") && text.contains("range = "),
+        "{text}"
+    );
+}
+
+/// What krank does not model is reported with its place; the rest is kept.
+#[test]
+fn parts_that_krank_does_not_model_are_reported() {
+    let remarks = |name: &str| imported(name).remarks.join("\n");
+    let told = remarks("gears.pmks.txt");
+    assert!(
+        told.contains("line 5: krank does not model gears"),
+        "{told}"
+    );
+    assert!(told.contains("line 8: not a joint"), "{told}");
+    let told = remarks("gears.linkage2");
+    assert!(
+        told.contains("Link 3: krank does not model gears"),
+        "{told}"
+    );
+    assert!(
+        told.contains("Link 4: krank does not model gears"),
+        "{told}"
+    );
+    assert!(told.contains("ratio: krank does not model gears"), "{told}");
+    let text = imported("gears.linkage2").text;
+    assert!(
+        text.contains("link-2 = ") && text.contains("# - line"),
+        "{text}"
+    );
+    let scene = Scene::parse(&text, "gears").unwrap();
+    // The second gear turns freely, and the message of the scene says so.
+    let fault = Solver::new(&scene.mechanism).unwrap_err();
+    let message = scene.explain(&fault).to_string();
+    assert!(message.contains('2'), "{message}");
+    let told = remarks("mixed-inputs.linkage2");
+    assert!(told.contains("it stands as drawn"), "{told}");
+    let told = remarks("four-bar.pylinkage.json");
+    assert!(told.contains("`Crank pin` is called `Crank_pin`"), "{told}");
+    let told = remarks("four-bar.pyslvs");
+    assert!(
+        told.contains("line 3, joint 1: the file marks no input"),
+        "{told}"
+    );
+}
+
+#[test]
+fn files_without_a_mechanism_are_refused() {
+    let refused = |text: &str| import(text.as_bytes(), "x").unwrap_err().to_string();
+    let packed = refused("https://app.pmksplus.com/?2P.Fe.K,0.101.AB,,BC");
+    assert!(packed.contains("packed of version 2P"), "{packed}");
+    assert!(refused("[links]\nr2 = 1\n").contains("no file of PMKS"));
+    assert!(refused("").contains("no file of PMKS"));
+    assert!(
+        refused("<linkage2><connector id=\"0\" x=\"1\" y=\"nan\"/></linkage2>")
+            .contains("no joint")
+    );
+    let broken = refused("<linkage2>\n<connector id=\"0\" x=></linkage2>");
+    assert!(broken.contains("XML") && broken.contains("2:"), "{broken}");
+    let bomb = "<!DOCTYPE x [<!ENTITY a \"b\">]>\n<linkage2>&a;</linkage2>";
+    assert!(refused(bomb).contains("XML"));
+    assert!(refused("M[J[R, P[1, 2], L[a]").contains("brackets"));
+    assert!(refused("{\"joints\": [], \"links\": []").contains("JSON"));
+    assert!(refused("{\"joints\": [{\"type\": \"Crank\"}], \"links\": []}").contains("older"));
+    let many = "ground,a,R,1,2\n".repeat(2_100);
+    assert!(refused(&many).contains("too large"));
+    let deep = format!("<linkage2>{}</linkage2>", "<a>".repeat(100_000));
+    assert!(refused(&deep).contains("XML"));
+}
+
+/// Names that a scene cannot have are replaced and stay distinct.
+#[test]
+fn names_are_valid_and_unique() {
+    let text = "ground,driver,R,0,0,tfft\ndriver,com,R,15,40\ncom,öl\u{7},R,95,75\nöl\u{7},ground,R,120,-10\n";
+    let imported = import(text.as_bytes(), "names").unwrap();
+    let opened = Opened::new("names", &imported.text);
+    let links: Vec<&str> = opened
+        .scene
+        .mechanism
+        .link_ids()
+        .map(|link| opened.scene.link_name(link))
+        .collect();
+    assert_eq!(links, ["driver-2", "com-2", "l"]);
+    assert_eq!(imported.remarks.len(), 3, "{:?}", imported.remarks);
+    assert!(!imported.text.contains('\u{7}'), "{}", imported.text);
+}
+
+fn all_files() -> Vec<Vec<u8>> {
+    SAID.iter()
+        .map(|said| file(said.file))
+        .chain([file("gears.pmks.txt"), file("gears.linkage2")])
+        .collect()
+}
+
+/// Reads a damaged file; the text of any scene must be a scene or have an explained fault.
+fn survives(bytes: &[u8]) {
+    if let Ok(imported) = import(bytes, "damaged") {
+        if let Err(faults) = Scene::parse(&imported.text, "damaged") {
+            assert!(!faults.items.is_empty(), "{}", imported.text);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 60,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    #[test]
+    fn damaged_files_never_panic(
+        which in 0..100_usize,
+        cut in 0.0..1.0_f64,
+        edits in prop::collection::vec((0.0..1.0_f64, any::<u8>()), 0..6),
+        moved in prop::option::of((0.0..1.0_f64, 0.0..1.0_f64)),
+    ) {
+        let files = all_files();
+        let mut bytes = files[which % files.len()].clone();
+        let place = |share: f64, len: usize| ((share * len as f64) as usize).min(len.saturating_sub(1));
+        if let Some((from, to)) = moved {
+            // Repeats a line at another place.
+            let mut lines: Vec<Vec<u8>> = bytes.split(|&b| b == b'\n').map(<[u8]>::to_vec).collect();
+            let line = lines[place(from, lines.len())].clone();
+            lines.insert(place(to, lines.len()), line);
+            bytes = lines.join(&b'\n');
+        }
+        for (at, byte) in edits {
+            let at = place(at, bytes.len());
+            bytes[at] = byte;
+        }
+        if cut < 0.5 {
+            bytes.truncate(place(2.0 * cut, bytes.len()));
+        }
+        survives(&bytes);
+    }
+
+    #[test]
+    fn extreme_numbers_never_panic(
+        numbers in prop::collection::vec(prop_oneof![
+            Just("0".to_owned()), Just("-0".to_owned()), Just("1e150".to_owned()), Just("1e300".to_owned()),
+            Just("NaN".to_owned()), Just("inf".to_owned()), Just("1e-320".to_owned()), Just("7".to_owned()),
+        ], 11),
+    ) {
+        let n = &numbers;
+        survives(format!(
+            "ground,input,R,{},{}\ninput,b,R,{},{}\nb,c,P,{},{},{}\nc,ground,RP,{},{},{}\nb,R,{},1\n",
+            n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]
+        ).as_bytes());
+    }
+}
