@@ -35,10 +35,28 @@ pub struct Varied {
     lanes: Workspace<Lanes>,
     /// Every place of the program, with its given value.
     places: Vec<VariedPlace>,
-    /// The constant points that depend on a length. They are stored in the states and written
-    /// there.
-    moved: Vec<usize>,
-    lengths: usize,
+    /// The parts that depend on a length.
+    parts: Vec<VariedPart>,
+    /// The change of every length in the program; not a number before the first change.
+    changed: Vec<f64>,
+}
+
+/// A part of the program that depends on lengths, and is computed again only if one of them
+/// changes.
+#[derive(Clone, Debug)]
+struct VariedPart {
+    kind: VariedKind,
+    /// The places of the part.
+    places: std::ops::Range<usize>,
+    /// The lengths on which they depend.
+    lengths: Vec<usize>,
+}
+
+#[derive(Clone, Copy, Debug)]
+enum VariedKind {
+    /// A constant point. States contain it, and it is written there.
+    Point(usize),
+    Step(usize),
 }
 
 /// A place, with each length on which it depends and its derivative by that length.
@@ -123,16 +141,14 @@ impl Solver {
                 .filter(|c| c.group == group);
             same.for_each(|coupled| coupled.side = side);
         }
-        let points = engine.program.points.len();
-        let follows = |&point: &usize| !places[point].follows.is_empty();
         Some(Varied {
             work: engine.state(self.slides),
             lanes: engine.state(self.slides),
-            moved: (0..points).filter(follows).collect(),
             nominal: self.clone(),
+            parts: parts(&mut engine.program, &places),
             engine,
             places,
-            lengths: lengths.len(),
+            changed: vec![f64::NAN; lengths.len()],
         })
     }
 }
@@ -147,6 +163,35 @@ fn places(engine: &mut Engine) -> Vec<VariedPlace> {
         });
     });
     places
+}
+
+/// Returns the parts of a program that depend on lengths.
+fn parts(program: &mut Program, places: &[VariedPlace]) -> Vec<VariedPart> {
+    let mut first = 0;
+    let mut part = |kind: VariedKind, count: usize| {
+        let range = first..first + count;
+        first = range.end;
+        let follows = places[range.clone()]
+            .iter()
+            .flat_map(|place| &place.follows);
+        let mut lengths: Vec<usize> = follows.map(|&(length, _)| length).collect();
+        lengths.sort_unstable();
+        lengths.dedup();
+        (!lengths.is_empty()).then_some(VariedPart {
+            kind,
+            places: range,
+            lengths,
+        })
+    };
+    let points = (0..program.points.len()).map(|point| (VariedKind::Point(point), 1));
+    let points: Vec<_> = points.collect();
+    let steps = program.steps.iter_mut().enumerate().map(|(i, step)| {
+        let mut count = 0;
+        step.vary(&mut program.coupled, &mut |_| count += 1);
+        (VariedKind::Step(i), count)
+    });
+    let all = points.into_iter().chain(steps);
+    all.filter_map(|(kind, count)| part(kind, count)).collect()
 }
 
 impl Engine {
@@ -171,7 +216,7 @@ impl Varied {
     /// Returns the number of variable lengths.
     #[must_use]
     pub fn lengths(&self) -> usize {
-        self.lengths
+        self.changed.len()
     }
 
     /// Returns the solver with the given lengths.
@@ -181,20 +226,37 @@ impl Varied {
     }
 
     /// Changes every length by the given amount in the scene's unit, relative to its given value.
-    /// The order is that of the lengths passed to [`Solver::varied`]. Allocates nothing.
+    /// The order is that of the lengths passed to [`Solver::varied`]. Computes only what depends on
+    /// a length whose change differs from the last one. Allocates nothing.
     pub fn change(&mut self, by: &[f64]) {
-        debug_assert_eq!(by.len(), self.lengths);
-        let mut places = self.places.iter();
-        self.engine.program.vary(&mut |place| {
-            if let Some(known) = places.next().filter(|known| !known.follows.is_empty()) {
-                *place = known.with(by);
+        debug_assert_eq!(by.len(), self.lengths());
+        let program = &mut self.engine.program;
+        for part in &self.parts {
+            // Nothing equals the initial NaN.
+            if part.lengths.iter().all(|&i| by[i] == self.changed[i]) {
+                continue;
             }
-        });
-        for &point in &self.moved {
-            let place = self.engine.program.points[point];
-            self.work.state.points[point] = PointState::fixed(Vec2::of(place));
-            self.lanes.state.points[point] = PointState::fixed(Vec2::of(place));
+            let mut places = self.places[part.places.clone()].iter();
+            match part.kind {
+                VariedKind::Point(point) => {
+                    for known in places {
+                        let place = known.with(by);
+                        program.points[point] = place;
+                        self.work.state.points[point] = PointState::fixed(Vec2::of(place));
+                        self.lanes.state.points[point] = PointState::fixed(Vec2::of(place));
+                    }
+                }
+                VariedKind::Step(step) => {
+                    program.steps[step].vary(&mut program.coupled, &mut |place| {
+                        if let Some(known) = places.next().filter(|known| !known.follows.is_empty())
+                        {
+                            *place = known.with(by);
+                        }
+                    });
+                }
+            }
         }
+        self.changed.copy_from_slice(by);
     }
 
     /// Solves at the driver's coordinate, in the assembly that the given lengths have there.
@@ -259,8 +321,8 @@ impl Varied {
     /// Returns `true` if any value read depends on the length.
     #[must_use]
     pub fn follows(&self, length: usize) -> bool {
-        let mut all = self.places.iter().flat_map(|place| &place.follows);
-        all.any(|&(of, _)| of == length)
+        let mut all = self.parts.iter().flat_map(|part| &part.lengths);
+        all.any(|&of| of == length)
     }
 
     /// Computes an enclosure of all states with length errors up to `limits`: a ball around each

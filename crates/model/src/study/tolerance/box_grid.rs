@@ -35,29 +35,45 @@ impl BoxGrid {
         (0..self.sides).fold(1, |count, _| count * self.levels)
     }
 
+    /// Returns all places in an order in which neighbours differ along one side: a Gray code. The
+    /// centres of faces come last.
+    pub(super) fn walk(&self) -> impl Iterator<Item = usize> {
+        let corners = self.corners();
+        let reflected = (0..corners).map(|number| {
+            let (mut rest, mut stride, mut place) = (number, 1, 0);
+            while rest > 0 {
+                let (level, above) = (rest % self.levels, rest / self.levels);
+                // Every other pass along a side runs backwards.
+                let level = match above % 2 {
+                    0 => level,
+                    _ => self.levels - 1 - level,
+                };
+                place += level * stride;
+                (rest, stride) = (above, stride * self.levels);
+            }
+            place
+        });
+        reflected.chain(corners..self.count())
+    }
+
     /// Returns half the distance of neighbouring places along a side, relative to a tolerance.
     pub(super) fn half_way(&self) -> f64 {
         1.0 / (self.levels - 1) as f64
     }
 
-    /// Returns the position of a place along a side, in [-1, 1].
-    fn level(&self, place: usize, side: usize) -> f64 {
-        match place.checked_sub(self.corners()) {
-            Some(face) if face / 2 == side => [-1.0, 1.0][face % 2],
-            Some(_) => 0.0,
-            None => {
-                let stride = (0..side).fold(1, |stride, _| stride * self.levels);
-                let level = place / stride % self.levels;
-                2.0 * level as f64 / (self.levels - 1) as f64 - 1.0
-            }
-        }
-    }
-
-    /// Returns the position of a place along every side.
+    /// Returns the position of a place along every side, in [-1, 1].
     pub(super) fn levels(&self, place: usize) -> Vec<f64> {
-        (0..self.sides)
-            .map(|side| self.level(place, side))
-            .collect()
+        let mut levels = vec![0.0; self.sides];
+        if let Some(face) = place.checked_sub(self.corners()) {
+            levels[face / 2] = [-1.0, 1.0][face % 2];
+            return levels;
+        }
+        let mut rest = place;
+        for level in &mut levels {
+            *level = 2.0 * (rest % self.levels) as f64 / (self.levels - 1) as f64 - 1.0;
+            rest /= self.levels;
+        }
+        levels
     }
 
     /// Returns `true` if a value is monotonic along every side; `found` holds the value at every
@@ -90,4 +106,29 @@ pub(super) fn rounding(nominal: f64, found: &[f64]) -> f64 {
     values.for_each(|&value| met.meet(value));
     let ObservedRange { low, high } = met;
     (ROUNDING * (high - low)).max(LAST_DIGITS * low.abs().max(high.abs()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BoxGrid;
+
+    #[test]
+    fn walk_visits_each_place_once_and_moves_along_one_side_at_a_time() {
+        for (sides, middles) in [(1, 9), (4, 9), (5, 0)] {
+            let grid = BoxGrid::of(sides, middles);
+            let walk: Vec<usize> = grid.walk().collect();
+            let mut sorted = walk.clone();
+            sorted.sort_unstable();
+            assert!(sorted.into_iter().eq(0..grid.count()));
+            for pair in walk[..grid.corners()].windows(2) {
+                let [here, next] = [pair[0], pair[1]].map(|place| grid.levels(place));
+                let ways = here.iter().zip(&next).map(|(a, b)| (a - b).abs());
+                assert_eq!(
+                    ways.sum::<f64>(),
+                    2.0 * grid.half_way(),
+                    "{here:?} {next:?}"
+                );
+            }
+        }
+    }
 }

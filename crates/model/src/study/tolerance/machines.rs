@@ -56,15 +56,15 @@ pub(super) fn of_all_corners(
     effort: CornerEffort,
 ) -> Vec<Option<WorstCase>> {
     let grid = BoxGrid::of(acting.len(), effort.middles);
-    let mut found = vec![Vec::with_capacity(grid.count()); nominal.len()];
+    let mut found = vec![vec![f64::NAN; grid.count()]; nominal.len()];
     let mut by = off.nothing();
     let mut values = nominal.to_vec();
     let mut fails = false;
-    for place in 0..grid.count() {
+    for place in grid.walk() {
         off.put(acting, &grid.levels(place), &mut by);
         fails |= !machines.make(&by, &mut values);
         for (found, value) in found.iter_mut().zip(&values) {
-            found.push(value.unwrap_or(f64::NAN));
+            found[place] = value.unwrap_or(f64::NAN);
         }
     }
     let mut search = Search::new(off, acting, &grid, effort.tries, nominal.len());
