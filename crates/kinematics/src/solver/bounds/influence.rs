@@ -17,6 +17,7 @@ use crate::solver::elements::Step;
 use crate::solver::plan::Program;
 use crate::{LinkId, PointId, Vec2};
 use std::f64::consts::SQRT_2;
+use std::ops::Range;
 
 /// The displacement of a point by a unit of each source so far. A link's row has its rotation in
 /// `x`.
@@ -40,6 +41,8 @@ pub(super) struct Influences {
     /// row.
     points: Vec<usize>,
     links: Vec<usize>,
+    /// The effects on the newest point of all sources but its own two.
+    inherited: Effects,
 }
 
 /// Maximum number of dyads through which rests may widen freely. Each dyad can enlarge them
@@ -118,12 +121,8 @@ impl Needed {
     }
 }
 
-/// Returns a weighted sum of bounds. An unbounded source does not affect parts independent of it.
-fn summed(row: &[f64], bounds: &[f64]) -> f64 {
-    let terms = row.iter().zip(bounds);
-    let term = |(v, b): (&f64, &f64)| if *v == 0.0 { 0.0 } else { v.abs() * b };
-    terms.map(term).sum()
-}
+/// The effects on a part, by order: along x and y, or on a link's angle and nothing.
+type Effects = [[f64; 2]; 3];
 
 impl InfluenceRow {
     fn of(sources: usize) -> InfluenceRow {
@@ -178,6 +177,7 @@ impl Influences {
             rows: vec![InfluenceRow::default()],
             points: vec![0; program.points.len()],
             links: vec![0; program.links.len()],
+            inherited: Effects::default(),
         };
         if is_long {
             influences.share_rows(program, sources);
@@ -331,6 +331,22 @@ impl Influences {
         }
     }
 
+    /// Adds the effects of some sources on a part. An unbounded source does not affect parts
+    /// independent of it. All orders share a pass, because each sum waits for its last addition.
+    #[inline(always)]
+    fn add_effects(&self, row: &InfluenceRow, sources: Range<usize>, effects: &mut Effects) {
+        let term = |v: f64, bound: f64| if v == 0.0 { 0.0 } else { v.abs() * bound };
+        let [positions, rates, seconds] = self.bounds.each_ref().map(|b| &b[sources.clone()]);
+        let row = row.x[sources.clone()].iter().zip(&row.y[sources]);
+        let bounds = positions.iter().zip(rates.iter().zip(seconds));
+        for ((&x, &y), (&p, (&v, &a))) in row.zip(bounds) {
+            for (effect, bound) in effects.iter_mut().zip([p, v, a]) {
+                effect[0] += term(x, bound);
+                effect[1] += term(y, bound);
+            }
+        }
+    }
+
     fn point(&self, point: PointId) -> &InfluenceRow {
         &self.rows[self.points[point.index()]]
     }
@@ -357,14 +373,20 @@ impl Influences {
                 }
             }
         });
+        let mut inherited = Effects::default();
+        self.add_effects(self.point(point), 0..self.known - 2, &mut inherited);
+        self.inherited = inherited;
     }
 
     /// Sets the bounds of the constraints of the newest point, and returns the effect of all
     /// sources on it.
     #[inline(never)]
     pub(super) fn bound(&mut self, point: PointId, order: usize, bounds: [f64; 2]) -> f64 {
-        self.bounds[order][self.known - 2..self.known].copy_from_slice(&bounds);
-        self.of_point(point, order)
+        let own = self.known - 2..self.known;
+        self.bounds[order][own.clone()].copy_from_slice(&bounds);
+        let mut effects = self.inherited;
+        self.add_effects(self.point(point), own, &mut effects);
+        larger(effects[order])
     }
 
     /// Writes the row of a link determined by two points, and returns the effect of all sources.
@@ -398,7 +420,7 @@ impl Influences {
             row.add(all.point(base), [Vec2::X, Vec2::X.perp()]);
             row.add(all.link(link), [arm, Vec2::ZERO]);
         });
-        [0, 1, 2].map(|order| self.of_point(point, order))
+        self.effects(self.point(point)).map(larger)
     }
 
     /// Writes the row of a link locked to another one, and returns the effect of all sources.
@@ -410,18 +432,23 @@ impl Influences {
         self.of_link(link)
     }
 
-    /// Returns the effect of all sources on a point.
-    fn of_point(&self, point: PointId, order: usize) -> f64 {
-        let (row, bounds) = (self.point(point), &self.bounds[order]);
-        let [x, y] = [&row.x, &row.y].map(|row_of| summed(&row_of[..row.len], bounds));
-        // Written so that NaN is kept.
-        let most = if x <= y { y } else { x };
-        most * SQRT_2 * (1.0 + SUM)
+    /// Returns the effects of all sources on a part.
+    fn effects(&self, row: &InfluenceRow) -> Effects {
+        let mut effects = Effects::default();
+        self.add_effects(row, 0..row.len, &mut effects);
+        effects
     }
 
     /// Returns the effect of all sources on a link's angle and its rates.
     fn of_link(&self, link: LinkId) -> [f64; 3] {
-        let row = self.link(link);
-        [0, 1, 2].map(|order| summed(&row.x[..row.len], &self.bounds[order]) * (1.0 + SUM))
+        let effects = self.effects(self.link(link));
+        effects.map(|[angle, _]| angle * (1.0 + SUM))
     }
+}
+
+/// Returns a bound of the length of a vector with components up to these.
+fn larger([x, y]: [f64; 2]) -> f64 {
+    // Written so that NaN is kept.
+    let most = if x <= y { y } else { x };
+    most * SQRT_2 * (1.0 + SUM)
 }
