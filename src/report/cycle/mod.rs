@@ -10,7 +10,7 @@ use crate::report::text::csv_dialect::{CsvDialect, CsvSheet, cell};
 use crate::report::text::number::concise;
 use crate::report::text::places::{place_text, range_text};
 use crate::scene::Scene;
-use crate::solver::{Condition, Conditioning, Range, Solver, Transmission};
+use crate::solver::{Condition, Conditioning, Order, Range, Solver, Transmission};
 use crate::study::{Excursion, ExcursionOptions, FigurePlace, NoFigure};
 use crate::wording::{Language, Words, english_words, words};
 use serde_json::{Value, json};
@@ -184,11 +184,13 @@ impl CycleReport {
     /// Adds the error bounds of strokes and of values at turning places.
     #[must_use]
     pub fn with_bounds(mut self, solver: &Solver) -> CycleReport {
-        for figure in &mut self.figures {
-            let columns = std::slice::from_ref(&figure.quantity);
-            let found = std::slice::from_ref(&figure.excursion);
-            let found = bounds(solver, columns, found, true).pop();
-            figure.bounds = found.unwrap_or_default();
+        let figures = self.figures.iter();
+        let (columns, found): (Vec<_>, Vec<_>) = figures
+            .map(|figure| (figure.quantity.clone(), figure.excursion.clone()))
+            .unzip();
+        let bounds = bounds(solver, &columns, &found, true);
+        for (figure, bounds) in self.figures.iter_mut().zip(bounds) {
+            figure.bounds = bounds;
         }
         self.with_bounds = true;
         self
@@ -414,7 +416,7 @@ fn bounds(
         let is_limit = limits.is_some_and(|limits| limits.contains(&place.at));
         in_all || is_limit || place.value.abs() <= NOISE
     };
-    let of_one = |column: &Quantity, excursion: &Excursion| {
+    let places_of = |excursion: &Excursion| {
         let ends = [excursion.least, excursion.greatest];
         // For a value that is rounding noise at both extrema, turning places are not shown.
         let is_small = !in_all && ends.iter().all(|end| end.value.abs() <= NOISE);
@@ -424,33 +426,41 @@ fn bounds(
         let mut places: Vec<f64> = places.map(|place| place.at).collect();
         places.sort_by(f64::total_cmp);
         places.dedup();
-        bounds_at(solver, column, &places)
+        places
     };
-    let figures = columns.iter().zip(found);
-    let figures = figures.map(|(column, excursion)| match excursion {
-        Ok(excursion) => of_one(column, excursion),
-        Err(_) => Vec::new(),
-    });
-    figures.collect()
+    // Many columns turn at the same places, where the mechanism is solved once for all of them.
+    let mut places: Vec<(f64, Order, usize)> = Vec::new();
+    for (i, excursion) in found.iter().enumerate() {
+        let own = excursion.iter().flat_map(places_of);
+        places.extend(own.map(|at| (at, columns[i].order(), i)));
+    }
+    let compared =
+        |a: &(f64, Order, usize), b: &(f64, Order, usize)| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
+    places.sort_by(compared);
+    let mut bounds = vec![Vec::new(); columns.len()];
+    for shared in places.chunk_by(|a, b| compared(a, b).is_eq()) {
+        let own: Vec<&Quantity> = shared.iter().map(|&(.., i)| &columns[i]).collect();
+        let at = shared[0].0;
+        for (&(.., i), bound) in shared.iter().zip(bounds_at(solver, &own, at)) {
+            bounds[i].push((at, bound));
+        }
+    }
+    bounds
 }
 
-/// Computes the error bounds of a column at some places.
-fn bounds_at(solver: &Solver, column: &Quantity, places: &[f64]) -> Vec<(f64, Option<f64>)> {
-    if places.is_empty() {
-        return Vec::new();
-    }
-    let (wanted, order) = demand([column]);
+/// Computes the error bounds of columns at a place.
+fn bounds_at(solver: &Solver, columns: &[&Quantity], at: f64) -> Vec<Option<f64>> {
+    let (wanted, order) = demand(columns.iter().copied());
     let solver = solver.only(&wanted);
     let (mut state, mut enclosure) = (solver.state(), solver.enclosure());
-    let bound = |&at: &f64| {
-        let is_there = solver.solve(at, order, &mut state) != Condition::NoAssembly;
-        let bound = is_there.then(|| {
-            solver.enclose(&mut state, order, &mut enclosure);
-            column.bound(&state, &enclosure)
-        });
-        (at, bound.flatten())
-    };
-    places.iter().map(bound).collect()
+    if solver.solve(at, order, &mut state) == Condition::NoAssembly {
+        return vec![None; columns.len()];
+    }
+    solver.enclose(&mut state, order, &mut enclosure);
+    let bounds = columns
+        .iter()
+        .map(|column| column.bound(&state, &enclosure));
+    bounds.collect()
 }
 
 /// Returns every dyad at the place where its transmission angle deviates most from 90 degrees.

@@ -119,6 +119,9 @@ pub struct ExcursionOptions {
 
 /// The relative change below which a quantity counts as constant: rounding error.
 const LEVEL: f64 = 1e-11;
+/// The columns that are followed with one solver. A smaller solver for few columns solves only what
+/// they depend on, but takes time to create.
+const BLOCK: usize = 64;
 /// The default tolerance of dwells, as a fraction of the stroke.
 pub const USUAL_DWELL: f64 = 0.01;
 
@@ -180,10 +183,16 @@ impl Excursion {
             }
             let of = own.iter().map(|&i| &figures[i]);
             let degree = if wish.rates { 2 } else { 1 };
-            let mut sampler = MotionSampler::new(solver, source, of, degree);
-            let sampled = sampler.along_motion();
-            for (column, (&i, sampled)) in own.iter().zip(&sampled).enumerate() {
-                found[i] = Excursion::follow(&mut sampler, column, sampled, wish);
+            let mut whole = MotionSampler::new(solver, source, of, degree);
+            let sampled = whole.along_motion();
+            let count = own.len();
+            for first in (0..count).step_by(BLOCK) {
+                let block = first..count.min(first + BLOCK);
+                let mut part = (block.len() < count).then(|| whole.of_columns(block.clone()));
+                let sampler = part.as_mut().unwrap_or(&mut whole);
+                for (column, k) in block.enumerate() {
+                    found[own[k]] = Excursion::follow(sampler, column, &sampled[k], wish);
+                }
             }
         }
         found

@@ -167,11 +167,12 @@ impl MotionSampler {
 
     /// Returns the negative absolute value of a rate, so that its minimum is the largest rate.
     fn size_below(&mut self, column: usize, rate: RateSum, at: f64) -> Option<f64> {
-        let slope = self.degree(column, 1, at)?;
+        // The higher order first: its state serves both.
         let second = match rate.degree() {
             1 => 0.0,
             _ => self.degree(column, 2, at)?,
         };
+        let slope = self.degree(column, 1, at)?;
         Some(-rate.of(slope, second).abs())
     }
 

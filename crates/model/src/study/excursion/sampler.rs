@@ -62,6 +62,7 @@ pub(super) struct SampledFigure {
 }
 
 /// A quantity and its rates.
+#[derive(Clone)]
 struct SlopedFigure {
     cut: DirectionCut,
     by_degree: Vec<Quantity>,
@@ -76,6 +77,8 @@ pub(super) struct MotionSampler {
     columns: Vec<SlopedFigure>,
     state: Workspace,
     lanes: Workspace<Lanes>,
+    /// The coordinate, order and condition of the state that was solved last.
+    solved: Option<(f64, Order, Condition)>,
     source: SlopeSource,
     range: Range,
     /// Coordinates where a load has a kink or jumps, or where an input changes its relation to the
@@ -125,12 +128,29 @@ impl MotionSampler {
             columns,
             state: solver.state(),
             lanes: solver.lanes(),
+            solved: None,
             source,
             marks: [marks, knots(mechanism, range)].concat(),
             range,
             driver: *driver,
             reach: mechanism.reach(),
             solver,
+        }
+    }
+
+    /// Returns a sampler for some of the columns, which solves only what they depend on.
+    pub(super) fn of_columns(&self, columns: std::ops::Range<usize>) -> MotionSampler {
+        let columns = self.columns[columns].to_vec();
+        let (wanted, _) = demand(columns.iter().flat_map(|column| &column.by_degree));
+        let solver = self.solver.only(&wanted);
+        MotionSampler {
+            columns,
+            state: solver.state(),
+            lanes: solver.lanes(),
+            solved: None,
+            marks: self.marks.clone(),
+            solver,
+            ..*self
         }
     }
 
@@ -230,22 +250,40 @@ impl MotionSampler {
     pub(super) fn degree(&mut self, column: usize, degree: usize, at: f64) -> Option<f64> {
         let figure = self.columns[column].by_degree.get(degree)?;
         let order = figure.order();
-        let at = self.coordinate(at);
-        let condition = self.solver.solve(at, order, &mut self.state);
+        let condition = self.solve(at, order);
+        let figure = &self.columns[column].by_degree[degree];
         let exists = condition != Condition::NoAssembly;
         let value = exists.then(|| figure.value(&self.state))??;
         Some(value * self.columns[column].factors[degree])
     }
 
+    /// Solves at a place, unless the state is that of the place already.
+    fn solve(&mut self, at: f64, order: Order) -> Condition {
+        let at = self.coordinate(at);
+        match self.solved {
+            Some((known, up_to, condition))
+                if known.to_bits() == at.to_bits() && order <= up_to =>
+            {
+                condition
+            }
+            _ => {
+                let condition = self.solver.solve(at, order, &mut self.state);
+                self.solved = Some((at, order, condition));
+                condition
+            }
+        }
+    }
+
     /// Returns a quantity with its slope; NaN if missing. A direction is unwrapped to the value
     /// nearest to a reference value.
     pub(super) fn sample(&mut self, column: usize, at: f64, beside: f64) -> FigureSample {
+        // The higher order first: its state serves both.
+        let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
         let value = self.value(column, at).unwrap_or(f64::NAN);
         let value = match self.cut(column) {
             DirectionCut::ByTurns => angle::beside(beside, value),
             DirectionCut::Nowhere | DirectionCut::Otherwise => value,
         };
-        let slope = self.degree(column, 1, at).unwrap_or(f64::NAN);
         FigureSample { at, value, slope }
     }
 
@@ -301,8 +339,7 @@ impl MotionSampler {
 
     /// Samples all columns at one place.
     fn read(&mut self, at: f64, to: &mut [SampledFigure]) {
-        let at = self.coordinate(at);
-        let condition = self.solver.solve(at, self.order, &mut self.state);
+        let condition = self.solve(at, self.order);
         for (column, to) in self.columns.iter().zip(to) {
             let figures = column.by_degree.iter().zip(column.factors);
             for ((figure, factor), to) in figures.zip(&mut to.by_degree) {
