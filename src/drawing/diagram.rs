@@ -7,6 +7,7 @@ use super::render::{Glyphs, render};
 use super::view::WorldView;
 use crate::page::{Artwork, StyleSheet, TextAnchor};
 use crate::{Vec2, angle};
+use std::collections::HashMap;
 
 /// Vectors in a plane, drawn to one scale.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -127,13 +128,12 @@ impl VectorDiagram {
         let mut sheet = DiagramSheet {
             art: Artwork::new(size, title, STYLE),
             scale,
-            taken: Vec::new(),
+            taken: TakenPlaces::default(),
         };
         for arrow in &self.arrows {
             let ends = [arrow.from, arrow.to].map(|p| sheet.scale.place(p));
-            sheet
-                .taken
-                .extend((0..=24).map(|k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 24.0)));
+            let along = |k| ends[0] + (ends[1] - ends[0]) * (f64::from(k) / 24.0);
+            (0..=24).for_each(|k| sheet.taken.add(along(k)));
         }
         for arc in &self.arcs {
             sheet.arc(arc);
@@ -238,7 +238,49 @@ struct DiagramSheet {
     art: Artwork,
     scale: DiagramScale,
     /// Occupied points, which names should not cover.
-    taken: Vec<Vec2>,
+    taken: TakenPlaces,
+}
+
+/// Occupied points of a sheet in square cells, so that only near ones are searched.
+#[derive(Default)]
+struct TakenPlaces {
+    cells: HashMap<[i32; 2], Vec<Vec2>>,
+}
+
+impl TakenPlaces {
+    /// The distance beyond which all places are equally free, and the size of a cell.
+    const FAR: f64 = 3.0 * ASIDE;
+
+    fn cell(at: Vec2) -> [i32; 2] {
+        // The cast limits places far outside the sheet.
+        [at.x, at.y].map(|v| (v / TakenPlaces::FAR).floor() as i32)
+    }
+
+    fn add(&mut self, at: Vec2) {
+        self.cells
+            .entry(TakenPlaces::cell(at))
+            .or_default()
+            .push(at);
+    }
+
+    /// Returns the distance of a place from the nearest point, at most [`TakenPlaces::FAR`]. Returns
+    /// any distance up to `least` if the point is not farther than that.
+    fn room(&self, seat: Vec2, least: f64) -> f64 {
+        let [col, row] = TakenPlaces::cell(seat);
+        let mut room = TakenPlaces::FAR;
+        for dy in [0, -1, 1] {
+            for dx in [0, -1, 1] {
+                let cell = [col.saturating_add(dx), row.saturating_add(dy)];
+                for place in self.cells.get(&cell).into_iter().flatten() {
+                    room = room.min((*place - seat).norm());
+                    if room <= least {
+                        return room;
+                    }
+                }
+            }
+        }
+        room
+    }
 }
 
 impl DiagramSheet {
@@ -290,7 +332,7 @@ impl DiagramSheet {
             self.art
                 .polyline([tip + back + side, tip, tip + back - side], "arc");
         }
-        self.taken.extend(ring);
+        ring.into_iter().for_each(|at| self.taken.add(at));
         let shares = [0.5, 0.35, 0.65, 0.2, 0.8];
         let seats = [1.0, 2.0]
             .into_iter()
@@ -301,15 +343,12 @@ impl DiagramSheet {
 
     /// Returns the place farthest from everything drawn already; the first of nearly equal places.
     fn freest(&self, seats: Vec<Vec2>) -> Vec2 {
-        let room = |seat: &Vec2| {
-            let away = self.taken.iter().map(|t| (*t - *seat).norm());
-            // Beyond some letters all places are equally good.
-            away.fold(3.0 * ASIDE, f64::min)
-        };
         let mut best = seats.first().copied().unwrap_or(Vec2::ZERO);
+        let mut most = self.taken.room(best, 0.0);
         for seat in seats {
-            if room(&seat) > room(&best) + 1.0 {
-                best = seat;
+            let room = self.taken.room(seat, most + 1.0);
+            if room > most + 1.0 {
+                (best, most) = (seat, room);
             }
         }
         best
@@ -325,7 +364,7 @@ impl DiagramSheet {
         );
         let base = at + Vec2::new(0.0, HALF_TEXT);
         self.art.text(base, TextAnchor::Middle, class, text);
-        self.taken.push(at);
+        self.taken.add(at);
     }
 
     /// Draws the scale bar.

@@ -8,6 +8,7 @@ use crate::page::{Illustration, Page};
 use crate::quantity::{Abscissa, Aspect, Catalogue, Curves, Quantity, Subject};
 use crate::scene::VectorKind;
 use crate::wording::words;
+use std::collections::HashSet;
 use std::sync::Arc;
 
 /// Maximum number of curves that different dashes can distinguish.
@@ -29,8 +30,11 @@ impl ReportedState<'_> {
         for (order, caption) in captions.into_iter().enumerate() {
             for of in [Aspect::TURNING[order], Aspect::STRETCHING[order]] {
                 let figures = self.figures(of);
-                for some in figures.chunks(MAX_CURVES) {
-                    self.plot(some, caption, page);
+                let over = Abscissa::Driver;
+                // Curves over the driver's coordinate never fail.
+                let curves = Curves::new(self.scene, self.solver, &figures, over, None);
+                for some in curves.into_iter().flat_map(|all| all.in_groups(MAX_CURVES)) {
+                    plot(&some, caption, page);
                 }
             }
         }
@@ -48,43 +52,45 @@ impl ReportedState<'_> {
             }
         };
         let vectors = self.scene.vectors.iter().map(|vector| vector.kind);
-        let subjects: Vec<Subject> = vectors.filter(moves).map(Subject::from).collect();
+        let subjects: HashSet<Subject> = vectors.filter(moves).map(Subject::from).collect();
         let all = catalogue.figures().into_iter();
         let is_wanted = |q: &Quantity| q.subject().is_some_and(|s| subjects.contains(&s));
         all.filter(|q| q.aspect() == Some(of) && is_wanted(q))
             .collect()
     }
+}
 
-    fn plot(&self, figures: &[Quantity], caption: &str, page: &mut Page) {
-        // A plot over the driver's coordinate never fails.
-        let curves = Curves::new(self.scene, self.solver, figures, Abscissa::Driver, None);
-        let Ok(curves) = curves else { return };
-        let plot = Plot::of(&curves);
-        if !plot.has_values() {
-            return;
-        }
-        let style = PlotStyle {
-            cols: COLUMNS,
-            rows: ROWS.max(plot.least_rows()),
-            glyphs: Glyphs::Ascii,
-            aspect: ASPECT,
-            extrema: true,
-            first: 0,
-        };
-        let characters = match plot.fits(&style) {
-            true => plot.render(&style, None).text(),
-            false => String::new(),
-        };
-        let names: Vec<&str> = figures.iter().map(|figure| figure.name.as_str()).collect();
-        let caption = words().plotted_are(caption, &names.join(", "));
-        picture(
-            page,
-            Illustration {
-                in_characters: None,
-                artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
-                characters: lines_drawn(&characters),
-                caption,
-            },
-        );
+/// Adds a plot of some curves.
+fn plot(curves: &Curves, caption: &str, page: &mut Page) {
+    let plot = Plot::of(curves);
+    if !plot.has_values() {
+        return;
     }
+    let style = PlotStyle {
+        cols: COLUMNS,
+        rows: ROWS.max(plot.least_rows()),
+        glyphs: Glyphs::Ascii,
+        aspect: ASPECT,
+        extrema: true,
+        first: 0,
+    };
+    let characters = match plot.fits(&style) {
+        true => plot.render(&style, None).text(),
+        false => String::new(),
+    };
+    let names: Vec<&str> = curves
+        .curves
+        .iter()
+        .map(|curve| curve.quantity.name.as_str())
+        .collect();
+    let caption = words().plotted_are(caption, &names.join(", "));
+    picture(
+        page,
+        Illustration {
+            in_characters: None,
+            artwork: Arc::new(plot.artwork(&caption, SIZE, true, None)),
+            characters: lines_drawn(&characters),
+            caption,
+        },
+    );
 }

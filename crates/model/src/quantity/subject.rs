@@ -6,7 +6,7 @@ use crate::solver::Order;
 use crate::{LinkId, PointId, SlideId};
 
 /// The element or pair of elements that a quantity describes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Subject {
     /// The driver.
     Driver,
@@ -29,7 +29,7 @@ pub enum Subject {
 }
 
 /// A share of the driver's effort.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Share {
     /// The total effort.
     Total,

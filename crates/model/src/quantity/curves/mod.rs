@@ -100,6 +100,9 @@ const MIN_SAMPLES: usize = 180;
 /// Tolerance for the end of a period, as a fraction of it: closer positions count as the beginning
 /// of the next period.
 const SEAM: f64 = 1e-9;
+/// The columns that are examined with one solver. A smaller solver for few columns solves only what
+/// they depend on, but takes time to create.
+const BLOCK: usize = 64;
 /// Maximum number of points and links in all samples together.
 const MAX_ROWS: usize = 400_000;
 
@@ -170,22 +173,29 @@ impl Curves {
             Range::Full { .. } => false,
         };
         let mut curves = Vec::with_capacity(quantities.len());
-        for (i, (quantity, values)) in quantities.iter().zip(values).enumerate() {
-            let level = probe.level(i, &places, &values, &conditions);
-            let breaks = match level {
-                Some(_) => vec![false; count],
-                None => probe.breaks(i, &places, &values),
-            };
-            let mut curve = Curve {
-                quantity: quantity.clone(),
-                values,
-                breaks,
-                extrema: Vec::new(),
-                level,
-            };
-            let goes_round = period.is_some();
-            curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
-            curves.push(curve);
+        let goes_round = period.is_some();
+        let mut values = values.into_iter();
+        for (number, block) in quantities.chunks(BLOCK).enumerate() {
+            let first = number * BLOCK;
+            let mut part =
+                (quantities.len() > BLOCK).then(|| probe.of_columns(first..first + block.len()));
+            for ((i, quantity), values) in block.iter().enumerate().zip(values.by_ref()) {
+                let level = probe.level(first + i, &places, &values, &conditions);
+                let probe = part.as_mut().unwrap_or(&mut probe);
+                let breaks = match level {
+                    Some(_) => vec![false; count],
+                    None => probe.breaks(i, &places, &values),
+                };
+                let mut curve = Curve {
+                    quantity: quantity.clone(),
+                    values,
+                    breaks,
+                    extrema: Vec::new(),
+                    level,
+                };
+                curve.extrema = probe.extrema(i, &curve, &places, goes_round, ends);
+                curves.push(curve);
+            }
         }
         let mut all = Curves {
             abscissa,
@@ -203,6 +213,17 @@ impl Curves {
         };
         all.place_extrema(&mut probe);
         Ok(all)
+    }
+
+    /// Divides the curves into groups of at most `count`, each with all samples.
+    #[must_use]
+    pub fn in_groups(mut self, count: usize) -> Vec<Curves> {
+        let curves = std::mem::take(&mut self.curves);
+        let groups = curves.chunks(count).map(|curves| Curves {
+            curves: curves.to_vec(),
+            ..self.clone()
+        });
+        groups.collect()
     }
 
     /// Computes the abscissa of each extremum. One beyond an end is moved by a period, and one at

@@ -6,6 +6,7 @@ use super::span::usual;
 use crate::angle::{self, TURN, beside};
 use crate::solver::{Condition, Order, Range, Solver, Workspace};
 use crate::{DriverMoment, Input, LANES, Lanes};
+use std::collections::HashMap;
 
 /// Maximum change between two samples without an examination for a jump, relative to the curve's
 /// range.
@@ -34,6 +35,8 @@ pub(super) struct Probe {
     slopes: (Solver, Workspace),
     /// The reason why values are not shown, at the first sample where some are not.
     pub(super) hidden: Option<Hidden>,
+    /// The error bounds of all columns at a place, by the bits of its number.
+    bounds: HashMap<u64, Vec<Option<f64>>>,
 }
 
 impl Probe {
@@ -58,8 +61,15 @@ impl Probe {
             lanes: solver.lanes(),
             slopes: (slopes.clone(), slopes.state()),
             hidden: None,
+            bounds: HashMap::new(),
             solver,
         }
+    }
+
+    /// Returns a probe for some of the columns, which solves only what they depend on.
+    pub(super) fn of_columns(&self, columns: std::ops::Range<usize>) -> Probe {
+        let columns = &self.columns[columns];
+        Probe::new(&self.solver, columns, self.range, self.clock.clone())
     }
 
     /// Returns the driver's coordinate at a place. Rounding moves it neither beyond a limit nor
@@ -232,8 +242,9 @@ impl Probe {
         let size = ends[0].1.abs().max(ends[1].1.abs());
         let (mut least, mut most, mut proved) = (f64::NEG_INFINITY, f64::INFINITY, 0);
         if ends[1].1 - ends[0].1 > ROUNDING * size {
+            // These places first: the columns share them, and they suffice for most.
             let spread = firm.iter().step_by(firm.len().div_ceil(WITNESSES));
-            for &(sample, value) in ends.into_iter().chain(spread) {
+            for &(sample, value) in spread.chain(ends) {
                 let Some(bound) = self.bound(column, places[sample]) else {
                     continue;
                 };
@@ -260,6 +271,9 @@ impl Probe {
 
     /// Returns a bound on the error of a column at a place, if one can be proved.
     fn bound(&mut self, column: usize, place: f64) -> Option<f64> {
+        if let Some(bounds) = self.bounds.get(&place.to_bits()) {
+            return bounds[column];
+        }
         let _ = self.solve(place);
         let mut enclosure = self.solver.enclosure();
         if let Some(moment) = self.moment(place) {
@@ -267,6 +281,10 @@ impl Probe {
         }
         self.solver
             .enclose(&mut self.state, self.order, &mut enclosure);
-        self.columns[column].bound(&self.state, &enclosure)
+        let columns = self.columns.iter();
+        let bounds = columns.map(|column| column.bound(&self.state, &enclosure));
+        self.bounds
+            .entry(place.to_bits())
+            .or_insert(bounds.collect())[column]
     }
 }
