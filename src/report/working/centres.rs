@@ -288,9 +288,12 @@ pub(super) fn named<'c>(
 /// Returns the intersection of the two lines with the largest angle between them, the farther joint
 /// first; `None` if that angle is too small.
 fn crossing(context: &Context<'_>, lines: &[CentreLine]) -> Option<(Vec2, [CentreLine; 2])> {
-    let pairs = lines.iter().enumerate().flat_map(|(k, one)| {
-        let others = lines.iter().skip(k + 1);
-        others.filter_map(move |other| (one.joint != other.joint).then_some([*one, *other]))
+    // The lines of a joint follow one another, and may be many: every link on it has one.
+    let by_joint = || lines.chunk_by(|one, other| one.joint == other.joint);
+    let pairs = by_joint().zip(1..).flat_map(|(own, next)| {
+        let others = by_joint().skip(next);
+        own.iter()
+            .flat_map(move |one| others.clone().flatten().map(move |other| [*one, *other]))
     });
     let sine = |pair: &[CentreLine; 2]| pair[0].u.cross(pair[1].u).abs();
     let best = pairs.max_by(|a, b| sine(a).total_cmp(&sine(b)))?;
