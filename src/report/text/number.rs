@@ -15,17 +15,41 @@ pub(in crate::report) fn significant(value: f64, digits: usize) -> String {
     }
     let digits = digits.max(1);
     let scientific = format!("{value:.*e}", digits - 1);
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok());
+    let Some((mantissa, exponent)) = scientific.split_once('e') else {
+        return scientific;
+    };
     let wanted = i32::try_from(digits).unwrap_or(i32::MAX);
-    match exponent {
-        Some(exponent) if (MIN_FIXED_EXPONENT..wanted).contains(&exponent) => {
-            let decimals = usize::try_from(wanted - 1 - exponent).unwrap_or(0);
-            format!("{value:.decimals$}")
+    match exponent.parse::<i32>() {
+        Ok(exponent) if (MIN_FIXED_EXPONENT..wanted).contains(&exponent) => {
+            with_point(mantissa, exponent)
         }
         _ => scientific,
     }
+}
+
+/// Formats a mantissa times a power of ten without an exponent. The power is less than the number
+/// of digits, so no zeros are needed behind them.
+fn with_point(mantissa: &str, exponent: i32) -> String {
+    let (sign, digits) = match mantissa.strip_prefix('-') {
+        Some(digits) => ("-", digits),
+        None => ("", mantissa),
+    };
+    let digits = digits.chars().filter(|digit| *digit != '.');
+    let mut text = String::with_capacity(mantissa.len() + 6);
+    text.push_str(sign);
+    if exponent < 0 {
+        text.push_str("0.");
+        (exponent..-1).for_each(|_| text.push('0'));
+        text.extend(digits);
+        return text;
+    }
+    for (place, digit) in (0..).zip(digits) {
+        if place == exponent + 1 {
+            text.push('.');
+        }
+        text.push(digit);
+    }
+    text
 }
 
 /// Returns the number of digits known of a value with an error bound, at most `digits`: the unit of
@@ -78,7 +102,8 @@ pub(crate) fn upwards(bound: f64, digits: usize) -> String {
 /// becomes 0.
 pub(in crate::report) fn direction(degrees: f64, digits: usize) -> String {
     let text = significant(degrees, digits);
-    if text.parse() == Ok(crate::angle::TURN) {
+    // With two digits, 355 and more round to it.
+    if degrees >= 350.0 && text.parse() == Ok(crate::angle::TURN) {
         "0".into()
     } else {
         text
@@ -263,6 +288,25 @@ mod tests {
             for value in [f64::from_bits(bits), whole as f64, decimal, decimal / 1e12] {
                 prop_assume!(value.is_finite());
                 prop_assert!(holds(value), "{} but {}", written(value), by_the_library(value));
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4096))]
+        #[test]
+        fn significant_digits_match_std(bits: u64, whole: i64, places in 0..16, digits in 1_usize..20) {
+            let decimal = whole as f64 / 10_f64.powi(places);
+            for value in [f64::from_bits(bits), decimal, decimal / 1e12, 1e6 - decimal / 1e18] {
+                let text = significant(value, digits);
+                let scientific = format!("{value:.*e}", digits - 1);
+                if text == scientific || value == 0.0 {
+                    continue;
+                }
+                let decimals = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
+                prop_assert_eq!(&text, &format!("{value:.decimals$}"));
+                let known = text.trim_start_matches(['-', '0', '.']);
+                prop_assert_eq!(known.chars().filter(char::is_ascii_digit).count(), digits);
             }
         }
     }
