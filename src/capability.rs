@@ -88,6 +88,8 @@ pub(crate) struct TerminalProfile {
     colorterm: Option<String>,
     /// The value of TERM_PROGRAM.
     program: Option<String>,
+    /// The value of COLORFGBG: numbers of the text's and the background's colour.
+    colours_of_text: Option<String>,
     /// `true` inside of tmux, screen or zellij.
     multiplexed: bool,
 }
@@ -167,6 +169,7 @@ impl TerminalProfile {
             no_color: given("NO_COLOR"),
             colorterm: given("COLORTERM"),
             program: given("TERM_PROGRAM"),
+            colours_of_text: given("COLORFGBG"),
             multiplexed: ["TMUX", "STY", "ZELLIJ"]
                 .iter()
                 .any(|name| given(name).is_some()),
@@ -246,6 +249,14 @@ impl TerminalProfile {
             modern: self.kind() == TerminalKind::Emulator,
         };
         (self.kind() != TerminalKind::Dumb).then_some(capability)
+    }
+
+    /// Returns `true` if COLORFGBG names a light background, and `None` if it names none.
+    #[cfg(feature = "tui")]
+    pub(crate) fn has_light_ground(&self) -> Option<bool> {
+        let ground = self.colours_of_text.as_deref()?.rsplit(';').next()?;
+        let ground: u8 = ground.trim().parse().ok()?;
+        (ground < 16).then_some(matches!(ground, 7 | 9..=15))
     }
 
     /// Returns the variables and their values; `None` for unset ones.
@@ -372,6 +383,19 @@ mod tests {
             judge(&[("TERM", "vt220")]).colours().why,
             "TERM=vt220 supports none"
         );
+    }
+
+    #[cfg(feature = "tui")]
+    #[test]
+    fn background_is_read_from_environment() {
+        let light = |value| judge(&[("COLORFGBG", value)]).has_light_ground();
+        assert_eq!(light("15;0"), Some(false));
+        assert_eq!(light("0;15"), Some(true));
+        assert_eq!(light("0;default;7"), Some(true));
+        assert_eq!(light("12;8"), Some(false));
+        for unknown in ["", "15;default", "15;99", "x"] {
+            assert_eq!(light(unknown), None, "{unknown}");
+        }
     }
 
     #[test]

@@ -44,12 +44,12 @@ pub(super) fn draw(
     for &(begin, end) in pieces(cut) {
         stroke::line(raster, glyphs, from + step * begin, from + step * end, role);
     }
-    let glyph = head(length);
+    let glyph = head(glyphs, length);
     let (col, row) = cell_of(to);
     raster.put(col, row, glyph, role);
     let before = match role {
         Role::Acceleration => Some(glyph),
-        Role::Force => Some(if matches!(glyph, '<' | '>') { '|' } else { '-' }),
+        Role::Force => Some(closing(glyphs, length)),
         _ => None,
     };
     if let Some(glyph) = before {
@@ -87,16 +87,39 @@ fn share_inside(raster: &Raster, from: Vec2, step: Vec2) -> f64 {
     share(from.x, step.x, size.x).min(share(from.y, step.y, size.y))
 }
 
+/// The heads to the right, to the left, down and up. Console fonts have the triangles too.
+const HEADS: [char; 4] = ['>', '<', 'v', '^'];
+const TRIANGLES: [char; 4] = ['\u{25ba}', '\u{25c4}', '\u{25bc}', '\u{25b2}'];
+
 /// Returns the head glyph for a direction on the screen, y downwards.
-fn head(direction: Vec2) -> char {
-    if direction.x.abs() >= direction.y.abs() {
-        if direction.x > 0.0 { '>' } else { '<' }
-    } else if direction.y > 0.0 {
-        'v'
-    } else {
-        '^'
+fn head(glyphs: Glyphs, direction: Vec2) -> char {
+    let is_level = direction.x.abs() >= direction.y.abs();
+    let index = match is_level {
+        true => usize::from(direction.x <= 0.0),
+        false => 2 + usize::from(direction.y <= 0.0),
+    };
+    heads(glyphs)[index]
+}
+
+fn heads(glyphs: Glyphs) -> [char; 4] {
+    match glyphs {
+        Glyphs::Ascii => HEADS,
+        Glyphs::Line | Glyphs::Braille | Glyphs::Blocks(_) => TRIANGLES,
     }
 }
+
+/// Returns the line that closes the head of a force, across its direction.
+fn closing(glyphs: Glyphs, direction: Vec2) -> char {
+    let is_level = direction.x.abs() >= direction.y.abs();
+    match (glyphs, is_level) {
+        (Glyphs::Ascii, true) => '|',
+        (Glyphs::Ascii, false) => '-',
+        (_, true) => '\u{2502}',
+        (_, false) => '\u{2500}',
+    }
+}
+
+const RIGHT: Vec2 = Vec2 { x: 1.0, y: 0.0 };
 
 /// Returns a horizontal arrow to the right for a legend, `cells` cells long.
 pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
@@ -109,8 +132,8 @@ pub(super) fn level(glyphs: Glyphs, role: Role, cells: i32) -> String {
     let heads = if role == Role::Acceleration { 2 } else { 1 };
     let dashes = dashes::of_cells(role);
     let of_cell = |cell| match cell {
-        _ if cell > cells - heads => '>',
-        _ if role == Role::Force && cell == cells - 1 => '|',
+        _ if cell > cells - heads => head(glyphs, RIGHT),
+        _ if role == Role::Force && cell == cells - 1 => closing(glyphs, RIGHT),
         _ if dashes.is_some_and(|dashes| dashes.is_gap(cell - 1)) => ' ',
         _ => shaft,
     };
@@ -166,7 +189,7 @@ mod tests {
             (v(0.9, 1.0), 'v'),
             (v(0.9, -1.0), '^'),
         ] {
-            assert_eq!(head(direction), glyph);
+            assert_eq!(head(Glyphs::Ascii, direction), glyph);
         }
     }
 
@@ -177,7 +200,8 @@ mod tests {
                 for cells in 0..12_usize {
                     let text = level(glyphs, role, i32::try_from(cells).unwrap());
                     assert_eq!(text.chars().count(), cells);
-                    assert!(cells == 0 || text.ends_with('>'), "{text}");
+                    let tip = head(glyphs, RIGHT);
+                    assert!(cells == 0 || text.ends_with(tip), "{text}");
                 }
             }
         }

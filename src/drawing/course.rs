@@ -9,6 +9,72 @@ use std::f64::consts::PI;
 /// within 1e-5 of its radius.
 const SAMPLES: u32 = 720;
 
+/// Number of samples of a trail: a quarter of a turn.
+pub(super) const TRAIL: usize = SAMPLES as usize / 4;
+
+/// The samples of a motion.
+#[derive(Clone, Debug)]
+pub(super) struct Course {
+    low: f64,
+    high: f64,
+    count: usize,
+    closed: bool,
+}
+
+impl Course {
+    /// Returns the samples of [`course`].
+    pub(super) fn of(scene: &Scene, solver: &Solver) -> Course {
+        let (low, high, count, closed) = ends(scene, solver);
+        Course {
+            low,
+            high,
+            count: count as usize,
+            closed,
+        }
+    }
+
+    /// Returns the number of samples up to a coordinate, with a fraction; `None` if the coordinate
+    /// is not finite.
+    pub(super) fn sample(&self, at: f64) -> Option<f64> {
+        let share = (at - self.low) / (self.high - self.low);
+        let share = match self.closed {
+            true => share.rem_euclid(1.0),
+            false => (1.0 - 2.0 * share.clamp(0.0, 1.0)).acos() / PI,
+        };
+        share.is_finite().then_some(share * self.count as f64)
+    }
+
+    /// Returns the `count` samples before a place, the farthest first; `backwards` if the motion
+    /// comes from the later samples. A motion between limits has fewer near its ends.
+    pub(super) fn behind(
+        &self,
+        place: f64,
+        count: usize,
+        backwards: bool,
+    ) -> impl Iterator<Item = usize> + use<> {
+        let Course {
+            count: all, closed, ..
+        } = *self;
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "between 0 and the number of samples"
+        )]
+        let nearest = match backwards {
+            true => place.ceil() as usize,
+            false => place.floor() as usize,
+        };
+        (0..count)
+            .rev()
+            .filter_map(move |back| match (backwards, closed) {
+                (false, true) => Some((nearest + all - back % all) % all),
+                (true, true) => Some((nearest + back) % all),
+                (false, false) => nearest.checked_sub(back),
+                (true, false) => Some(nearest + back).filter(|k| *k <= all),
+            })
+    }
+}
+
 /// Returns the driver's coordinates along the motion, both ends included.
 pub(super) fn course(scene: &Scene, solver: &Solver) -> impl Iterator<Item = DriverState> + use<> {
     let (low, high, count, closed) = ends(scene, solver);

@@ -40,6 +40,8 @@ pub enum Role {
     Echo,
     /// The path of a point over the whole motion.
     Trace,
+    /// The part of a path that its point has just left behind.
+    Trail,
     /// A spring.
     Spring,
     /// An arrow of velocity.
@@ -110,6 +112,7 @@ impl Role {
                 | Role::Ghost
                 | Role::Echo
                 | Role::Trace
+                | Role::Trail
                 | Role::Spring
         )
     }
@@ -168,6 +171,15 @@ pub enum Shape {
         /// The part's role.
         role: Role,
     },
+    /// A cylinder's rod, thinner than its barrel.
+    Rod {
+        /// The end in the barrel's mouth.
+        from: Vec2,
+        /// The end outside.
+        to: Vec2,
+        /// The part's role.
+        role: Role,
+    },
     /// A small mark: a joint, a coupler point, a centre of mass.
     Mark {
         /// The point.
@@ -209,6 +221,8 @@ pub enum Shape {
         /// The corners; one that is not finite is a gap. Shared, because every frame has the same
         /// path.
         course: Arc<[Vec2]>,
+        /// [`Role::Trace`], or [`Role::Trail`] for a part of a path.
+        role: Role,
     },
     /// An arrow from a point.
     Arrow {
@@ -245,6 +259,7 @@ impl Shape {
         match self {
             Shape::Line { from, to, .. }
             | Shape::Barrel { from, to, .. }
+            | Shape::Rod { from, to, .. }
             | Shape::Guide { from, to, .. }
             | Shape::Hatching { from, to }
             | Shape::Spring { from, to }

@@ -11,6 +11,8 @@ pub(crate) enum Hue {
     Brown,
     Yellow,
     Lime,
+    /// A fainter lime.
+    Moss,
     Green,
     Teal,
     Cyan,
@@ -34,8 +36,9 @@ impl Hue {
                 bar => bar,
             },
             Role::Driver | Role::DriverPlate | Role::DriverPin | Role::Second => Hue::Red,
-            Role::Ground | Role::Ghost | Role::Echo | Role::Axis => Hue::Grey,
-            Role::Trace => Hue::Lime,
+            Role::Ground | Role::Guide | Role::Ghost | Role::Echo | Role::Axis => Hue::Grey,
+            Role::Trail => Hue::Lime,
+            Role::Trace => Hue::Moss,
             Role::Spring | Role::Force => Hue::Yellow,
             Role::Velocity => Hue::Cyan,
             Role::Acceleration | Role::Third => Hue::Magenta,
@@ -47,7 +50,6 @@ impl Hue {
             | Role::Front
             | Role::Lit
             | Role::Empty
-            | Role::Guide
             | Role::Label
             | Role::Datum => return None,
         })
@@ -62,6 +64,7 @@ impl Hue {
             Hue::Brown => 130,
             Hue::Yellow => 130,
             Hue::Lime => 64,
+            Hue::Moss => 65,
             Hue::Green => 28,
             Hue::Teal => 29,
             Hue::Cyan => 30,

@@ -1,15 +1,22 @@
 //! Places names next to their points, clear of everything else.
 
+mod plan;
+
 use super::figure::{Figure, Role, Shape};
 use super::raster::{CharCell, Raster};
 use super::symbol::cell_of;
 use super::view::WorldView;
 use crate::Vec2;
+use plan::LabelPlan;
 
 /// The places of a figure's labels in the last frame; keep it from frame to frame.
+///
+/// Without a plan, a label moves when its place becomes clearly worse than another one. With a plan
+/// for the whole motion, see [`Labels::plan`], it changes sides at most twice per cycle.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
     places: Vec<LabelPlace>,
+    plan: Option<LabelPlan>,
 }
 
 /// The result of placing a label.
@@ -57,7 +64,7 @@ const NEAR: usize = 14;
 
 /// The seats: above right first, as readers look there first; then the sides, then below; the outer
 /// ring if the inner one is full.
-const SEATS: [LabelSeat; 22] = [
+const SEATS: [LabelSeat; 40] = [
     seat(1, -1, Align::Start, 0),
     seat(-1, -1, Align::End, 1),
     seat(2, 0, Align::Start, 1),
@@ -80,10 +87,32 @@ const SEATS: [LabelSeat; 22] = [
     seat(0, 2, Align::Middle, 7),
     seat(5, 0, Align::Start, 8),
     seat(-5, 0, Align::End, 8),
+    // Only for plans.
+    seat(2, -1, Align::Start, 2),
+    seat(-2, -1, Align::End, 3),
+    seat(2, 1, Align::Start, 4),
+    seat(-2, 1, Align::End, 4),
+    seat(2, -2, Align::Start, 7),
+    seat(-2, -2, Align::End, 8),
+    seat(2, 2, Align::Start, 8),
+    seat(-2, 2, Align::End, 8),
+    seat(4, 0, Align::Start, 7),
+    seat(-4, 0, Align::End, 7),
+    seat(4, -1, Align::Start, 7),
+    seat(-4, -1, Align::End, 7),
+    seat(4, 1, Align::Start, 8),
+    seat(-4, 1, Align::End, 8),
+    seat(3, -2, Align::Start, 9),
+    seat(-3, -2, Align::End, 9),
+    seat(3, 2, Align::Start, 9),
+    seat(-3, 2, Align::End, 9),
 ];
 
-/// Cost per character that hides part of an arrow, which moves more than lines do.
-const OVER_ARROW: i32 = 5;
+/// Number of seats that are tried without a plan.
+const UNPLANNED: usize = 22;
+
+/// Cost per character that hides part of an arrow: more than any free seat.
+const OVER_ARROW: i32 = 9;
 /// Cost per character that hides part of the ground or of a guide.
 const OVER_GROUND: i32 = 3;
 /// Cost of a mark directly before or after the label.
@@ -92,7 +121,7 @@ const TOUCHING: i32 = 5;
 const BESIDE_LINE: i32 = 3;
 /// Maximum cost of a label. A more expensive one is left out, because it would hide more than it
 /// shows.
-const TOO_MUCH: i32 = 16;
+const TOO_MUCH: i32 = 20;
 /// Maximum cost if the names together are longer than the lines: only names in free space help
 /// then.
 const MAX_COST_CROWDED: i32 = 3;
@@ -119,7 +148,10 @@ impl Labels {
             if count == self.places.len() {
                 self.places.push(LabelPlace::New);
             }
-            let place = best_place(raster, point, text, self.places[count], limit);
+            let place = match self.planned(count, view) {
+                Some(side) => side.best_place(raster, point, text, self.places[count]),
+                None => best_place(raster, point, text, self.places[count], limit),
+            };
             self.places[count] = place;
             count += 1;
             if let LabelPlace::Seat(seat) = place {
@@ -198,7 +230,7 @@ fn best_place(
         let inertia = i32::from(last == LabelPlace::Seat(index)) * INERTIA;
         Some(cover(raster, col, row, text)? + seat.cost - inertia).filter(|&cost| cost <= limit)
     };
-    let priced = (0..SEATS.len()).filter_map(|index| cost(index).map(|cost| (cost, index)));
+    let priced = (0..UNPLANNED).filter_map(|index| cost(index).map(|cost| (cost, index)));
     priced
         .min()
         .map_or(LabelPlace::Hidden, |(_, index)| LabelPlace::Seat(index))
@@ -231,19 +263,32 @@ fn origin(seat: &LabelSeat, point: (i32, i32), text: &str) -> (i32, i32) {
     (point.0 + seat.col - back, point.1 + seat.row)
 }
 
-/// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there: outside
-/// the raster, or on a bar, a mark or another name.
+/// Returns the cost of the cells that a label hides at a place. Returns `None` if it cannot be there:
+/// outside the raster, or on a bar, a mark or another name.
 fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
+    cover_for(raster, col, row, text, None)
+}
+
+/// Returns the cost of the cells that a label hides at a place, with this cost per character on a
+/// bar; without one, a label cannot be there.
+fn cover_for(
+    raster: &Raster,
+    col: i32,
+    row: i32,
+    text: &str,
+    over_bar: Option<i32>,
+) -> Option<i32> {
     let end = col + width(text);
     let mut sum = 0;
     for c in col..end {
         sum += match raster.cell(c, row)?.role {
             // Free, so that names do not move when ghosts and traces appear or disappear.
-            Role::Empty | Role::Ghost | Role::Echo | Role::Trace => 0,
+            Role::Empty | Role::Ghost | Role::Echo | Role::Trace | Role::Trail => 0,
             Role::Ground | Role::Guide | Role::Plate(_) | Role::DriverPlate => OVER_GROUND,
             Role::Velocity | Role::Acceleration => OVER_ARROW,
-            // Bars, marks and other names. A size over part of another force would be read as the
-            // size of both.
+            role if role.is_body() || role == Role::Spring => over_bar?,
+            // Marks and other names. A size over part of another force would be read as the size
+            // of both.
             _ => return None,
         };
     }
@@ -264,10 +309,10 @@ fn cover(raster: &Raster, col: i32, row: i32, text: &str) -> Option<i32> {
 
 #[cfg(test)]
 impl Labels {
-    /// Returns the number of labels whose places differ from `before`.
-    pub(super) fn moved_from(&self, before: &Labels) -> usize {
+    /// Returns `true` for each label that is on another side than `before`.
+    pub(super) fn moved_from(&self, before: &Labels) -> impl Iterator<Item = bool> {
         let pairs = self.places.iter().zip(&before.places);
-        pairs.filter(|(now, then)| now != then).count()
+        pairs.map(|(now, then)| plan::Side::of(*now) != plan::Side::of(*then))
     }
 
     /// Returns the number of labels left out.

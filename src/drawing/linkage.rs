@@ -274,7 +274,7 @@ impl LinkageSketch<'_> {
         let eye = self.state.position(self.mechanism.slide(id).slider.point());
         let role = self.lit_or(Role::Driver, Subject::Slide(id));
         let (from, to) = (rim, eye);
-        self.figure.add(Shape::Line { from, to, role });
+        self.figure.add(Shape::Rod { from, to, role });
         let role = match role {
             Role::Lit => role,
             _ => self.lit_or(role, Subject::Link(on)),

@@ -2,7 +2,7 @@
 //! arrows to one scale. The motion is solved once; every frame then draws from the result.
 
 use super::bounds::Bounds;
-use super::course::{course, ends, paced_course};
+use super::course::{Course, TRAIL, course, ends, paced_course};
 use super::figure::{Figure, Role, Shape};
 use super::force_arrows::ForceArrows;
 use super::ghosts::add_moved;
@@ -48,6 +48,9 @@ impl Wanted {
 #[derive(Clone, Debug, Default)]
 pub struct Overlay {
     traces: Vec<Arc<[Vec2]>>,
+    /// The points of the traces, and the motion along which these are sampled.
+    traced: Vec<PointId>,
+    course: Option<Course>,
     ghosts: Vec<State>,
     velocities: Arrows,
     accelerations: Arrows,
@@ -100,6 +103,10 @@ impl Overlay {
         let mut traces = vec![Vec::new(); wanted.traces.len()];
         let mut rates = [Vec::new(), Vec::new()];
         let mut state = solver.state();
+        if !wanted.traces.is_empty() {
+            self.traced.clone_from(&wanted.traces);
+            self.course = Some(Course::of(scene, solver));
+        }
         for stand in course(scene, solver).filter(|_| !wanted.traces.is_empty()) {
             let _ = stand.solve(solver, Order::Position, &mut state);
             for (trace, &point) in traces.iter_mut().zip(&wanted.traces) {
@@ -162,8 +169,8 @@ impl Overlay {
             add_moved(figure, scene, state, ghost, Role::Echo);
         }
         for course in &self.traces {
-            let course = Arc::clone(course);
-            figure.add(Shape::Trace { course });
+            let (course, role) = (Arc::clone(course), Role::Trace);
+            figure.add(Shape::Trace { course, role });
         }
         if !has_rates(state.condition()) {
             return;
@@ -176,6 +183,24 @@ impl Overlay {
         let velocities = |p| state.velocity(p);
         self.velocities
             .add_to(figure, Role::Velocity, state, zoom, velocities);
+    }
+
+    /// Adds the part of each trace that its point has just left behind: a quarter of a turn, or of
+    /// the motion between two limits. `backwards` is `true` if the driver's coordinate falls.
+    pub fn add_trails(&self, figure: &mut Figure, state: &State, backwards: bool) {
+        let Some(course) = &self.course else {
+            return;
+        };
+        let Some(here) = course.sample(state.at()) else {
+            return;
+        };
+        for (&point, trace) in self.traced.iter().zip(&self.traces) {
+            let samples = course.behind(here, TRAIL, backwards);
+            let mut trail: Vec<Vec2> = samples.filter_map(|k| trace.get(k).copied()).collect();
+            trail.extend(state.position(point));
+            let (course, role) = (trail.into(), Role::Trail);
+            figure.add(Shape::Trace { course, role });
+        }
     }
 
     /// Returns the legend entries of the arrows on a drawing with this window.
@@ -255,7 +280,7 @@ mod tests {
     fn everything(stage: &DrawingStage) -> Wanted {
         let points = usual_arrows(&stage.scene.mechanism);
         Wanted {
-            traces: usual_traces(&stage.scene.mechanism),
+            traces: usual_traces(&stage.scene),
             velocities: points.clone(),
             accelerations: points,
             forces: true,
@@ -266,7 +291,7 @@ mod tests {
 
     fn traces(figure: &Figure) -> Vec<Arc<[Vec2]>> {
         let trace = |shape: &Shape| match shape {
-            Shape::Trace { course } => Some(Arc::clone(course)),
+            Shape::Trace { course, .. } => Some(Arc::clone(course)),
             _ => None,
         };
         figure.shapes().iter().filter_map(trace).collect()
@@ -277,7 +302,7 @@ mod tests {
     #[test]
     fn trace_of_hoecken_linkage_has_straight_part() {
         let stage = DrawingStage::preset("hoecken");
-        let traces_of = usual_traces(&stage.scene.mechanism);
+        let traces_of = usual_traces(&stage.scene);
         assert_eq!(stage.names(&traces_of), ["P"]);
         let overlay = stage.overlay(&Wanted {
             traces: traces_of,
@@ -309,7 +334,7 @@ mod tests {
     #[test]
     fn traces_pass_through_their_points() {
         for stage in DrawingStage::presets() {
-            let points = usual_traces(&stage.scene.mechanism);
+            let points = usual_traces(&stage.scene);
             assert!(!points.is_empty(), "{}", stage.name);
             let overlay = stage.overlay(&Wanted {
                 traces: points.clone(),
@@ -336,7 +361,7 @@ mod tests {
     fn usual_traces_prefer_points_off_pinned_links() {
         let names = |preset: &str| {
             let stage = DrawingStage::preset(preset);
-            let points = usual_traces(&stage.scene.mechanism);
+            let points = usual_traces(&stage.scene);
             stage.names(&points).join(" ")
         };
         assert_eq!(names("four-bar"), "B C");

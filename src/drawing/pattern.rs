@@ -17,6 +17,8 @@ const REACH: i32 = 3;
 
 /// Half the size of a block, in dots, along and across its guide.
 pub(super) const BLOCK: Vec2 = Vec2 { x: 6.0, y: 4.0 };
+/// The same in a window where a pin is a character.
+pub(super) const SMALL_BLOCK: Vec2 = Vec2 { x: 5.0, y: 3.0 };
 
 /// Number of teeth of a spring.
 const TEETH: u32 = 8;
@@ -68,15 +70,15 @@ pub(super) fn core(raster: &mut Raster, at: Vec2, role: Role) {
     }
 }
 
-/// Draws a block around a point. `along` is a unit vector on the screen.
-pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, role: Role) {
+/// Draws a block around a point. `along` is a unit vector on the screen, `half` half its size.
+pub(super) fn block(raster: &mut Raster, at: Vec2, along: Vec2, half: Vec2, role: Role) {
     let (x, y) = corner(at);
-    let reach = (BLOCK.x + BLOCK.y) as i32;
+    let reach = (half.x + half.y) as i32;
     for (dx, dy) in (-reach..reach).flat_map(|dy| (-reach..reach).map(move |dx| (dx, dy))) {
         let from = Vec2::new(f64::from(dx) + 0.5, f64::from(dy) + 0.5);
         let (on, beside) = (from.dot(along).abs(), from.cross(along).abs());
-        if on < BLOCK.x && beside < BLOCK.y {
-            if on < BLOCK.x - 1.0 && beside < BLOCK.y - 1.0 {
+        if on < half.x && beside < half.y {
+            if on < half.x - 1.0 && beside < half.y - 1.0 {
                 stroke::clear(raster, x + dx, y + dy, role);
             } else {
                 stroke::dot(raster, x + dx, y + dy, role);

@@ -119,6 +119,10 @@ impl Picture<'_> {
                 let [a, b] = [from, to].map(|p| self.place(p));
                 self.art.polyline(pattern::zigzag(a, b, SPRING), "spring");
             }
+            Shape::Rod { from, to, role } => {
+                let ends = [from, to].map(|p| self.place(p));
+                self.art.polyline(ends, &format!("{} rod", class(role)));
+            }
             Shape::Barrel { from, to, .. } => {
                 let [a, b] = [from, to].map(|p| self.place(p));
                 let across = unit(b - a).perp() * BARREL;
@@ -141,9 +145,9 @@ impl Picture<'_> {
                 self.teeth(a + rail, b + rail);
             }
             Shape::Block { at, along } => self.block(at, along),
-            Shape::Trace { ref course } => {
+            Shape::Trace { ref course, role } => {
                 let places: Vec<Vec2> = course.iter().map(|&p| self.place(p)).collect();
-                self.art.polyline(fewer(&places), "trace");
+                self.art.polyline(fewer(&places), &class(role));
             }
             Shape::Arrow {
                 from,
@@ -354,7 +358,7 @@ mod tests {
         let points = usual_arrows(&scene.mechanism);
         let wanted = Wanted {
             is_timed: false,
-            traces: usual_traces(&scene.mechanism),
+            traces: usual_traces(&scene),
             velocities: points.clone(),
             accelerations: points,
             forces: true,

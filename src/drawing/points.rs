@@ -1,5 +1,6 @@
 //! Chooses the points that get arrows or traces by default.
 
+use crate::scene::Scene;
 use crate::{Body, Mechanism, PointId, Slider};
 
 /// Maximum numbers of traces, and of arrows of one kind; more would be indistinguishable.
@@ -25,10 +26,15 @@ pub fn usual_arrows(mechanism: &Mechanism) -> Vec<PointId> {
     moving_points(mechanism).take(MAX_ARROWS).collect()
 }
 
-/// Returns the points with informative traces: those that the ground does not lead on a circle or
-/// along a line. If there are none, returns all moving points.
+/// Returns the points with traces by default: those that the scene names, or else the points with
+/// informative traces, which the ground does not lead on a circle or along a line. If there are
+/// none, returns all moving points.
 #[must_use]
-pub fn usual_traces(mechanism: &Mechanism) -> Vec<PointId> {
+pub fn usual_traces(scene: &Scene) -> Vec<PointId> {
+    if !scene.traces.is_empty() {
+        return scene.traces.clone();
+    }
+    let mechanism = &scene.mechanism;
     let led = led_by_ground(mechanism);
     let free = |id: &PointId| !led[id.index()];
     let curves: Vec<PointId> = moving_points(mechanism)

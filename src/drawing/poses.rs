@@ -154,6 +154,26 @@ impl Poses {
         }
     }
 
+    /// Returns `true` if the motion ends where it begins.
+    pub(super) fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// Returns coordinates along the motion, each in the middle of one of `count` parts; none
+    /// without a motion.
+    pub(super) fn steps(&self, count: usize) -> impl Iterator<Item = f64> {
+        let count = if self.calm.is_empty() { 0 } else { count };
+        let places = (0..count).map(move |k| (k as f64 + 0.5) / count as f64 * PLACES as f64);
+        places.map(|place| self.coordinate(place))
+    }
+
+    /// Returns how much of the motion lies before a coordinate, from 0 to 1; `None` without a
+    /// motion.
+    pub(super) fn share(&self, at: f64) -> Option<f64> {
+        self.calm.last()?;
+        Some(self.place(at)? / PLACES as f64)
+    }
+
     /// Returns the fractional place of a coordinate; `None` if it is not finite.
     fn place(&self, at: f64) -> Option<f64> {
         let share = (at - self.start) / self.span;

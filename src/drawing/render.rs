@@ -90,7 +90,7 @@ fn layer(shape: &Shape) -> PaintLayer {
             role: Role::Lit, ..
         } => PaintLayer::Lit,
         Shape::Guide { .. } => PaintLayer::Guides,
-        Shape::Barrel { .. } => PaintLayer::Driver,
+        Shape::Barrel { .. } | Shape::Rod { .. } => PaintLayer::Driver,
         Shape::Plate { .. } => PaintLayer::Plates,
         Shape::Spring { .. } => PaintLayer::Springs,
         Shape::Block { .. } => PaintLayer::Blocks,
@@ -112,6 +112,12 @@ pub fn render_into(
     labels: &mut Labels,
     raster: &mut Raster,
 ) {
+    render_bare(figure, view, glyphs, raster);
+    labels.place(figure, view, raster);
+}
+
+/// Renders a figure without its names.
+pub(super) fn render_bare(figure: &Figure, view: &WorldView, glyphs: Glyphs, raster: &mut Raster) {
     raster.reset(view.cols(), view.rows());
     let mut symbols = Symbols {
         view,
@@ -122,7 +128,6 @@ pub fn render_into(
         draw(&mut symbols, shape);
     }
     blocks::settle(raster, glyphs);
-    labels.place(figure, view, raster);
 }
 
 /// Returns the shapes of a figure without its names, from bottom to top.
@@ -157,13 +162,14 @@ fn draw(symbols: &mut Symbols<'_>, shape: &Shape) {
         }
         Shape::Spring { from, to } => symbols.spring(from, to),
         Shape::Barrel { from, to, role } => symbols.barrel(from, to, role),
+        Shape::Rod { from, to, role } => symbols.rod(from, to, role),
         Shape::Guide { from, to, role } => symbols.guide(from, to, role),
         Shape::Mark { at, role } => symbols.mark(at, role),
         Shape::Support { at } => symbols.support(at),
         Shape::Hatching { from, to } => symbols.hatching(from, to),
         Shape::Block { at, along } => symbols.block(at, along),
-        Shape::Trace { ref course } => {
-            trace::draw(symbols.raster, symbols.glyphs, symbols.view, course);
+        Shape::Trace { ref course, role } => {
+            trace::draw(symbols.raster, symbols.glyphs, symbols.view, course, role);
         }
         Shape::Arrow {
             from,
@@ -238,7 +244,8 @@ mod tests {
             (place(), place()).prop_map(|(from, to)| Shape::Hatching { from, to }),
             (place(), place()).prop_map(|(at, along)| Shape::Block { at, along }),
             prop::collection::vec(place(), 0..9).prop_map(|course| Shape::Trace {
-                course: course.into()
+                course: course.into(),
+                role: Role::Trace,
             }),
             (place(), place(), any::<[bool; 2]>()).prop_map(|(from, to, [twice, cut])| {
                 let role = if twice {

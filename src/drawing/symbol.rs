@@ -16,7 +16,11 @@ const ROOMY_ROWS: u16 = 16;
 const HATCHING: usize = 2;
 
 /// Half the width of a barrel, in cell widths per dot of a bar's width plus one.
-const BARREL: f64 = 0.25;
+const BARREL: f64 = 0.35;
+
+/// The smallest and the largest sine of the angle between the x axis and an inclined guide. A block
+/// on any other guide is level or upright.
+const INCLINED: std::ops::Range<f64> = 0.2..0.98;
 
 /// Additional width of a highlighted bar, in dots.
 const LIT: u8 = 2;
@@ -201,15 +205,27 @@ impl Symbols<'_> {
     }
 
     /// Draws a block on its guide. In characters it is always horizontal: brackets read as a block
-    /// at any angle, a rotated box of so few cells does not.
+    /// at any angle, a rotated box of so few cells does not. In dots it lies along an inclined
+    /// guide.
     pub(super) fn block(&mut self, at: Vec2, along: Vec2) {
         let place = self.view.cell(at);
+        let along = Vec2::new(along.x, -along.y);
+        let along = along / along.norm();
         if self.has_large_marks() {
-            let along = Vec2::new(along.x, -along.y);
-            let along = along / along.norm();
             if along.is_finite() {
-                pattern::block(self.raster, place, along, Role::Slider);
+                pattern::block(self.raster, place, along, pattern::BLOCK, Role::Slider);
             }
+            return;
+        }
+        if self.glyphs.is_dotted() && INCLINED.contains(&along.y.abs()) {
+            let place = self.pin_place(place);
+            pattern::block(
+                self.raster,
+                place,
+                along,
+                pattern::SMALL_BLOCK,
+                Role::Slider,
+            );
             return;
         }
         let (col, row) = cell_of(place);
@@ -285,6 +301,17 @@ impl Symbols<'_> {
         }
     }
 
+    /// Draws the rod of a cylinder: in dots thinner than other links.
+    pub(super) fn rod(&mut self, from: Vec2, to: Vec2, role: Role) {
+        let (a, b) = (self.view.cell(from), self.view.cell(to));
+        if self.glyphs.is_dotted() && role == Role::Driver {
+            let width = self.view.weight().saturating_sub(1).max(1);
+            stroke::bar(self.raster, a, b, width, role);
+        } else {
+            self.bar(a, b, role);
+        }
+    }
+
     /// Draws the mark of a point, a single cell in characters.
     pub(super) fn mark(&mut self, at: Vec2, role: Role) {
         let place = self.view.cell(at);
@@ -323,7 +350,7 @@ fn glyph_of(role: Role) -> char {
         Role::Ground | Role::Guide | Role::Link(_) | Role::Driver => '+',
         Role::Label | Role::LinkName(_) | Role::Empty => '+',
         // Other code draws these.
-        Role::Plate(_) | Role::DriverPlate | Role::Spring | Role::Trace => '+',
+        Role::Plate(_) | Role::DriverPlate | Role::Spring | Role::Trace | Role::Trail => '+',
         Role::Velocity | Role::Acceleration | Role::Force => '+',
         Role::Axis | Role::Datum | Role::Second | Role::Third | Role::Front => '+',
     }

@@ -1,5 +1,6 @@
 //! Tests properties of drawings that hold for every preset in every state.
 
+mod names;
 pub(in crate::drawing) mod stage;
 mod windows;
 
@@ -24,46 +25,6 @@ const EVERYTHING: Layers = Layers {
 fn cell(view: &WorldView, at: Vec2) -> (i32, i32) {
     let at = view.cell(at);
     (at.x.floor() as i32, at.y.floor() as i32)
-}
-
-/// Regression: labels changed sides in almost every frame.
-#[test]
-fn labels_rarely_move_during_motion() {
-    for stage in DrawingStage::presets() {
-        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
-        let mut raster = Raster::new();
-        let mut labels = Labels::default();
-        let mut before = None::<Labels>;
-        let mut moves = 0;
-        for state in stage.motion() {
-            let layers = Layers::default();
-            let figure = linkage(&stage.scene, &stage.reach, &state, layers);
-            render_into(&figure, &view, Glyphs::Ascii, &mut labels, &mut raster);
-            moves += before.map_or(0, |before| labels.moved_from(&before));
-            before = Some(labels.clone());
-        }
-        let each = moves as f64 / labels.len() as f64;
-        assert!(each < 6.0, "{}: {each} moves a name", stage.name);
-    }
-}
-
-#[test]
-fn every_label_of_textbook_linkages_is_shown() {
-    let crowded = ["scissor-lift"];
-    for stage in DrawingStage::presets() {
-        if crowded.iter().any(|name| stage.name.contains(name)) {
-            continue;
-        }
-        let view = WorldView::fit(&stage.reach, 80, 24, 2.0);
-        let mut raster = Raster::new();
-        let mut labels = Labels::default();
-        for state in stage.motion() {
-            let layers = Layers::default();
-            let figure = linkage(&stage.scene, &stage.reach, &state, layers);
-            render_into(&figure, &view, Glyphs::Ascii, &mut labels, &mut raster);
-            assert_eq!(labels.hidden(), 0, "{} at {}", stage.name, state.at());
-        }
-    }
 }
 
 #[test]

@@ -15,7 +15,13 @@ const LOWER: char = '.';
 const BOTH: char = ':';
 
 /// Draws a chain of straight lines in world units; a point that is not finite is a gap.
-pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course: &[Vec2]) {
+pub(super) fn draw(
+    raster: &mut Raster,
+    glyphs: Glyphs,
+    view: &WorldView,
+    course: &[Vec2],
+    role: Role,
+) {
     let mut places = course.iter().map(|&p| view.cell(p));
     let Some(mut last) = places.next() else {
         return;
@@ -25,12 +31,12 @@ pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course
         match glyphs {
             Glyphs::Braille | Glyphs::Blocks(_) => {
                 for (x, y) in stroke::parts(raster, last, place, stroke::FINE) {
-                    stroke::dot(raster, x, y, Role::Trace);
+                    stroke::dot(raster, x, y, role);
                 }
             }
             Glyphs::Ascii | Glyphs::Line => {
                 for (col, half) in stroke::parts(raster, last, place, HALVES) {
-                    point(raster, col, half);
+                    point(raster, col, half, role);
                 }
             }
         }
@@ -39,7 +45,7 @@ pub(super) fn draw(raster: &mut Raster, glyphs: Glyphs, view: &WorldView, course
 }
 
 /// Puts a point into the upper or the lower half of a cell, keeping a trace in the other half.
-fn point(raster: &mut Raster, col: i32, half: i32) {
+fn point(raster: &mut Raster, col: i32, half: i32, role: Role) {
     let row = half.div_euclid(2);
     let (here, other) = if half.rem_euclid(2) == 0 {
         (UPPER, LOWER)
@@ -49,8 +55,9 @@ fn point(raster: &mut Raster, col: i32, half: i32) {
     let Some(old) = raster.cell(col, row) else {
         return;
     };
-    let shared = old.role == Role::Trace && [other, BOTH].contains(&old.glyph);
-    raster.put(col, row, if shared { BOTH } else { here }, Role::Trace);
+    let is_trace = matches!(old.role, Role::Trace | Role::Trail);
+    let shared = is_trace && [other, BOTH].contains(&old.glyph);
+    raster.put(col, row, if shared { BOTH } else { here }, role);
 }
 
 #[cfg(test)]
@@ -72,7 +79,8 @@ mod tests {
         let corners = [Vec2::new(-8.0, -8.0), Vec2::new(8.0, 8.0)];
         let view = WorldView::fit(&Reach::of_places(&corners, &[]), 26, 12, 2.0);
         let mut figure = Figure::new();
-        figure.add(Shape::Trace { course: circle() });
+        let (course, role) = (circle(), Role::Trace);
+        figure.add(Shape::Trace { course, role });
         render(&figure, &view, glyphs).text()
     }
 
@@ -93,7 +101,8 @@ mod tests {
             (f64::INFINITY, 0.0),
         ];
         let course = course.map(|(x, y)| Vec2::new(x, y)).into();
-        figure.add(Shape::Trace { course });
+        let role = Role::Trace;
+        figure.add(Shape::Trace { course, role });
         let view = WorldView::fit(&Reach::of_places(&[Vec2::ZERO], &[]), 9, 4, 2.0);
         for glyphs in [Glyphs::Ascii, Glyphs::Line, Glyphs::Braille] {
             assert_eq!(render(&figure, &view, glyphs).text().lines().count(), 4);

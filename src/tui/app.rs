@@ -38,7 +38,7 @@ use crate::document::Diagnostics;
 use crate::drawing::Glyphs;
 use crate::report::{CsvDialect, Verdict};
 use crate::solver::Condition;
-use crate::tui::appearance::palette::{Palette, Theme};
+use crate::tui::appearance::palette::{Ground, Palette, Theme};
 use crate::tui::commands::action::{Action, TablesAction};
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::commands::line::EditLine;
@@ -281,10 +281,19 @@ impl App {
 
     /// Returns the palette: the colour depth and the theme.
     pub(crate) fn palette(&self) -> Palette {
+        let ground = self
+            .shell
+            .ground
+            .filter(|_| self.shell.theme == Theme::Auto);
         Palette {
             colours: self.colours(),
-            theme: self.shell.theme,
+            theme: ground.map_or(self.shell.theme, Ground::theme),
         }
+    }
+
+    /// Sets the background of the terminal, for the automatic theme.
+    pub(crate) fn set_ground(&mut self, ground: Ground) {
+        self.shell.ground = Some(ground);
     }
 
     /// Sets the theme, which maps colour names to colours.

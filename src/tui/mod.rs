@@ -33,6 +33,7 @@ mod workbench;
 
 pub use crate::capability::{Colours, PictureChoice, PictureProtocol};
 pub use crate::wording::Language;
+use appearance::palette::Ground;
 pub use appearance::palette::Theme;
 pub use commands::view::View;
 pub use config::{Config, template};
@@ -203,6 +204,12 @@ pub fn run(opened: Opened, options: &Options) -> Result<(), Error> {
         workbench.app().use_background_threads();
         let pictures = judgement.pictures(options.picture);
         workbench.app().send_pictures(pictures);
+        if let Some(ground) = judgement.has_light_ground() {
+            workbench.app().set_ground(match ground {
+                true => Ground::Light,
+                false => Ground::Dark,
+            });
+        }
         if options.idle && options.config.tour && views::has_room(size) {
             workbench.app().tour_on_first_start();
         }
@@ -417,6 +424,7 @@ impl<T: Console> Session<T> {
                 let now = self.elapsed();
                 return Ok(self.attend(now));
             }
+            Wake::Ground(colour) => self.workbench.app().set_ground(Ground::of(colour)),
             Wake::Paste(text) => self.workbench.paste(&text),
             Wake::Mouse(mouse) => {
                 let effect = self.workbench.point(mouse);

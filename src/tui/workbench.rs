@@ -240,6 +240,12 @@ impl Workbench {
         self.sketch.place(at)
     }
 
+    /// Returns the cells of the drawing.
+    #[cfg(test)]
+    pub(super) fn drawing(&self) -> &crate::drawing::Raster {
+        self.sketch.raster()
+    }
+
     pub(super) fn app(&mut self) -> &mut App {
         &mut self.app
     }

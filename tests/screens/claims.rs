@@ -39,6 +39,10 @@ pub(crate) fn spelled(screen: &str) -> String {
         ("┘", "+"),
         ("┬", "+"),
         ("┤", "+"),
+        ("◄", "<"),
+        ("►", ">"),
+        ("▲", "^"),
+        ("▼", "v"),
     ];
     let replace = |text: String, (fine, plain): &(&str, &str)| text.replace(fine, plain);
     plain.iter().fold(screen.to_owned(), replace)
@@ -95,7 +99,7 @@ pub(crate) fn differences(before: &str, after: &str) -> Vec<(usize, usize, char,
 }
 
 /// Returns the drawing of a motion view: the part left of the bar before the tables, or above the
-/// tables. The title row is blank.
+/// tables, without the line of the cycle below it. The title row is blank.
 pub(crate) fn drawing(body: &str) -> String {
     let all = cells(body);
     let width = all.first().map_or(0, Vec::len);
@@ -108,6 +112,10 @@ pub(crate) fn drawing(body: &str) -> String {
             " difference: ",
             "---",
             "───",
+            " |--",
+            " |o-",
+            " │─",
+            " │o",
             "- plots",
             "─ plots",
         ];

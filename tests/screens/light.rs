@@ -130,7 +130,7 @@ fn edit_shows_previous_position_as_ghost_until_next_key() {
     // After another key, the same edit starts a new ghost.
     assert!(ghost(&session.press("k >").look()) < later);
     // Undo leaves a ghost too; an edit that moves nothing leaves none.
-    assert!(ghost(&session.press("u u").look()) > 5);
+    assert!(ghost(&session.press("u u").look()) > 3);
     session.find("driver speed").press("> >");
     assert_eq!(ghost(&session.look()), 0);
     // While the motion plays, the previous position would belong to another moment.

@@ -23,8 +23,9 @@ fn arrows_are_shown_with_their_scale() {
     insta::assert_snapshot!("motion-arrows-ascii-80x24", shown);
     // In Braille, the arrows' heads lie in the same cells and the scale is the same.
     let dotted = arrows(Glyphs::Braille);
-    let heads = |screen: &str| places(&cells(&drawing(screen)), &['<', '>', '^', 'v']);
-    let [of_characters, of_dots] = [&shown, &dotted].map(|screen| heads(screen));
+    let heads = |screen: &str, heads: [char; 4]| places(&cells(&drawing(screen)), &heads);
+    let of_characters = heads(&shown, ['<', '>', '^', 'v']);
+    let of_dots = heads(&dotted, ['\u{25c4}', '\u{25ba}', '\u{25b2}', '\u{25bc}']);
     // The last row is the legend, whose arrows start elsewhere.
     let above = |heads: &[(usize, usize)]| heads.iter().filter(|at| at.0 < 20).count();
     assert_eq!(
@@ -54,9 +55,11 @@ fn arrows_are_shown_with_their_scale() {
 
 #[test]
 fn coupler_curves_are_shown() {
+    // The scene names its traced point.
     let traced = |glyphs| {
         let mut session = Session::new(preset("hoecken"), glyphs, 80, 24);
-        [session.body(), session.press("T").body()]
+        let shown = session.body();
+        [session.press("T").body(), shown]
     };
     let [bare, shown] = traced(Glyphs::Ascii);
     insta::assert_snapshot!("motion-trace-ascii-80x24", shown);
@@ -67,11 +70,11 @@ fn coupler_curves_are_shown() {
         .collect();
     assert!(curve.len() >= 40, "{shown}");
     assert_dotted(&curve, &traced(Glyphs::Braille)[1]);
-    // On a small screen, a leg shows the curves of two points in the space available.
+    // On a small screen, a leg shows the curve of its foot in the space available.
     let mut leg = Session::new(preset("jansen-leg"), Glyphs::Ascii, 40, 13);
-    let bare = leg.body();
-    let shown = leg.press("T").body();
-    assert_told(&shown, &["trace V,T", "m 15.0000 60.000"]);
+    let shown = leg.body();
+    let bare = leg.press("T").body();
+    assert_told(&shown, &["trace T", "m 15.0000 60.000"]);
     let points = differences(&bare, &shown)
         .into_iter()
         .filter(|c| ".:'".contains(c.3));

@@ -23,12 +23,14 @@ pub(super) const STYLE: StyleSheet = StyleSheet {
 .plate.driven{stroke:none;fill:#c81e24}
 .driver,.barrel{stroke:#c81e24}
 .barrel{stroke-width:2}
+.rod{stroke-width:3}
 .spring{stroke:#826901}
 .barrel{fill:#fff}
 .guide,.ground{stroke-width:1.2;stroke:#666}
 .ghost{stroke-width:1.5;stroke:#888;stroke-dasharray:2 5}
 .echo{stroke-width:1;stroke:#888;stroke-opacity:.6}
 .trace{stroke-width:1.2;stroke:#607602}
+.trail{stroke-width:2.4;stroke:#607602}
 .velocity{stroke:#007590}
 .force{stroke:#826901;fill:none}
 .acceleration{stroke:#b81ea6;stroke-dasharray:7 4}
@@ -58,6 +60,7 @@ circle{stroke:#222;stroke-width:2}
 .barrel,.pin,.block{fill:#181818}
 .guide,.ground{stroke:#999}
 .trace{stroke:#b0d048}
+.trail{stroke:#b0d048}
 .velocity{stroke:#56c4fa}
 .force{stroke:#ebcb50}
 .acceleration{stroke:#f472dc}
@@ -80,6 +83,7 @@ pub(super) fn class(role: Role) -> Cow<'static, str> {
         Role::Ghost => "ghost",
         Role::Echo => "echo",
         Role::Trace => "trace",
+        Role::Trail => "trail",
         Role::Velocity => "velocity",
         Role::Acceleration => "acceleration",
         Role::Force => "force",

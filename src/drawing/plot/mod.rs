@@ -227,7 +227,7 @@ impl Plot {
     }
 
     /// Adds the curves of another scene, dotted, to the panels of their units, and enlarges the
-    /// axes as needed. Curves without a panel of their unit are left out, as there is nothing to
+    /// axes as needed. A curve has the hue of the one with the same name. Curves without a panel of their unit are left out, as there is nothing to
     /// compare them with.
     pub fn compare(&mut self, other: &Plot, name: &str) {
         let (low, high) = (self.x.low.min(other.x.low), self.x.high.max(other.x.high));
@@ -237,17 +237,20 @@ impl Plot {
             for from in same {
                 panel.y.low = panel.y.low.min(from.y.low);
                 panel.y.high = panel.y.high.max(from.y.high);
-                panel
-                    .curves
-                    .extend(from.curves.iter().map(|line| PlotCurve {
+                let added = from.curves.iter().map(|line| {
+                    let own = panel.curves.iter().position(|own| own.name == line.name);
+                    PlotCurve {
                         name: format!("{} {name}", line.name),
                         figure: None,
                         turns: Vec::new(),
                         is_dotted: true,
                         pieces: line.pieces.clone(),
-                        link: None,
+                        link: own.map(|own| panel.role(own)),
                         band: None,
-                    }));
+                    }
+                });
+                let added: Vec<PlotCurve> = added.collect();
+                panel.curves.extend(added);
             }
         }
     }

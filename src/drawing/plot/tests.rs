@@ -129,6 +129,9 @@ fn compared_curve_is_dotted_and_has_no_value() {
     assert_eq!(both.panels.len(), 1, "C.x has nothing beside it");
     let added = &both.panels[0].curves[1];
     assert!(added.is_dotted && added.figure.is_none() && added.name == "r4.omega before");
+    // Regression: the curve of one link had two hues, and neither was that of its bar.
+    let roles: Vec<_> = (0..2).map(|curve| both.panels[0].role(curve)).collect();
+    assert_eq!(roles[0], roles[1]);
     assert!(both.panels[0].y.high >= other.panels[0].y.high);
     for glyphs in GLYPHS {
         let text = both.render(&look(70, 16, glyphs), None).text();

@@ -4,7 +4,7 @@ use super::pointing::DragTarget;
 use super::{Mode, View};
 use crate::capability::{Capability, Colours, Detected, PictureProtocol};
 use crate::drawing::{Blocks, Glyphs};
-use crate::tui::appearance::palette::Theme;
+use crate::tui::appearance::palette::{Ground, Theme};
 use crate::tui::commands::keymap::Keymap;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::layout::Composition;
@@ -54,6 +54,8 @@ pub(super) struct Shell {
     /// The image protocol, or the reason why there is none.
     pub pictures: Detected<Option<PictureProtocol>>,
     pub theme: Theme,
+    /// The terminal's background, if it is known.
+    pub ground: Option<Ground>,
     pub size: Size,
     /// Height of a cell divided by its width.
     pub aspect: f64,
@@ -78,6 +80,7 @@ impl Shell {
                 why: words().pictures_unwanted().into(),
             },
             theme: Theme::default(),
+            ground: None,
             size,
             aspect: USUAL_ASPECT,
         }

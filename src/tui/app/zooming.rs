@@ -37,10 +37,16 @@ impl App {
     }
 
     fn switch(&mut self, layer: Layer, name: &str) {
-        self.shell.say(match self.views.viewport.toggle(layer) {
-            true => words().switched_on(name),
-            false => words().switched_off(name),
-        });
+        self.shell.say(
+            match self
+                .views
+                .viewport
+                .toggle(self.player.open_scene.scene(), layer)
+            {
+                true => words().switched_on(name),
+                false => words().switched_off(name),
+            },
+        );
     }
 
     /// Shows or hides the force arrows. Forces are computed only while shown; reports if no loads

@@ -4,8 +4,13 @@
 //! that palette are sent, so that the user's colours stay in force: the two that are legible on any
 //! background, or better ones if the background is known. With more colours each name maps to a
 //! selected colour: `auto` is legible on black as well as on white, because the background is
-//! unknown; `light` and `dark` are better on a known background. Faint text, which many terminals
-//! make too faint, then becomes a grey of known contrast.
+//! unknown; `light` and `dark` are better on a known background, and `auto` becomes one of them as
+//! soon as the background is known. Faint text, which many terminals make too faint, then becomes a
+//! grey of known contrast.
+//!
+//! On a known background there are three luminances. Links, pins and the driver are bright, with a
+//! contrast of at least 7. Arrows, trails and names have at least 4.5. Guides, hatching, rules, axes
+//! and traces are dim, with at least 2.5. With 16 colours, bold and faint text make the difference.
 
 use crate::capability::Colours;
 use crate::drawing::Hue;
@@ -14,7 +19,7 @@ use ratatui::style::{Color, Modifier};
 /// The set of colours for the names.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Theme {
-    /// For any background.
+    /// For the terminal's background if it is known, or else for any one.
     #[default]
     Auto,
     /// For a light background.
@@ -37,6 +42,38 @@ impl Theme {
             Theme::Light => "light",
             Theme::Dark => "dark",
             Theme::Plain => "plain",
+        }
+    }
+}
+
+/// The name of the colour with the highest contrast.
+pub(super) const INK: Color = Color::White;
+
+/// The background of a terminal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Ground {
+    Light,
+    Dark,
+}
+
+impl Ground {
+    /// Returns the kind of a background by its colour. Black and white text have equal contrast on
+    /// a relative luminance of 0.18.
+    pub(crate) fn of(colour: [u8; 3]) -> Ground {
+        let linear = colour.map(|c| (f64::from(c) / 255.0).powf(2.2));
+        let luminance = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+        if luminance > 0.18 {
+            Ground::Light
+        } else {
+            Ground::Dark
+        }
+    }
+
+    /// Returns the theme for this background.
+    pub(crate) fn theme(self) -> Theme {
+        match self {
+            Ground::Light => Theme::Light,
+            Ground::Dark => Theme::Dark,
         }
     }
 }
@@ -70,13 +107,14 @@ impl Hue {
             Color::LightYellow => Hue::Brown,
             Color::Yellow => Hue::Yellow,
             Color::LightGreen => Hue::Lime,
+            Color::DarkGray => Hue::Moss,
             Color::Green => Hue::Green,
             Color::LightCyan => Hue::Teal,
             Color::Cyan => Hue::Cyan,
             Color::Blue => Hue::Blue,
             Color::LightBlue => Hue::Violet,
             Color::Magenta | Color::LightMagenta => Hue::Magenta,
-            Color::Gray | Color::DarkGray => Hue::Grey,
+            Color::Gray => Hue::Grey,
             Color::Reset | Color::Black | Color::White | Color::Indexed(_) | Color::Rgb(..) => {
                 return None;
             }
@@ -91,6 +129,7 @@ impl Hue {
             Hue::Brown => Color::LightYellow,
             Hue::Yellow => Color::Yellow,
             Hue::Lime => Color::LightGreen,
+            Hue::Moss => Color::DarkGray,
             Hue::Green => Color::Green,
             Hue::Teal => Color::LightCyan,
             Hue::Cyan => Color::Cyan,
@@ -108,7 +147,8 @@ impl Hue {
             Hue::Red => Color::Red,
             Hue::Yellow | Hue::Magenta => Color::Magenta,
             Hue::Grey => Color::DarkGray,
-            Hue::Orange
+            Hue::Moss
+            | Hue::Orange
             | Hue::Brown
             | Hue::Lime
             | Hue::Green
@@ -126,6 +166,7 @@ impl Hue {
             Hue::Orange | Hue::Brown => Color::Yellow,
             Hue::Yellow => Color::LightYellow,
             Hue::Lime => Color::Green,
+            Hue::Moss => Color::Reset,
             Hue::Green => Color::LightGreen,
             Hue::Teal => Color::Cyan,
             Hue::Cyan => Color::LightCyan,
@@ -141,7 +182,7 @@ impl Hue {
     fn deep(self) -> Color {
         match self {
             Hue::Red => Color::Red,
-            Hue::Orange | Hue::Brown => Color::Reset,
+            Hue::Orange | Hue::Brown | Hue::Moss => Color::Reset,
             Hue::Lime | Hue::Green => Color::Green,
             Hue::Teal | Hue::Cyan => Color::Cyan,
             Hue::Blue => Color::Blue,
@@ -171,6 +212,7 @@ impl Hue {
             Hue::Magenta => shade(index, 200, 40, 200),
             Hue::Orange
             | Hue::Brown
+            | Hue::Moss
             | Hue::Green
             | Hue::Teal
             | Hue::Blue
@@ -179,36 +221,40 @@ impl Hue {
         }
     }
 
+    /// Returns the shade of its luminance on white and on Solarized's light background.
     fn shade_on_light(self) -> Shade {
         match self {
-            Hue::Red => shade(160, 200, 30, 36),
-            Hue::Orange => both(166),
-            Hue::Brown => both(94),
-            Hue::Yellow => shade(94, 130, 105, 1),
-            Hue::Lime => shade(64, 96, 118, 2),
+            Hue::Red => shade(88, 165, 14, 22),
+            Hue::Orange => shade(52, 125, 62, 0),
+            Hue::Brown => both(52),
+            Hue::Yellow => shade(94, 132, 90, 0),
+            Hue::Lime => shade(58, 84, 104, 0),
+            Hue::Moss => both(65),
             Hue::Green => both(22),
-            Hue::Teal => both(23),
-            Hue::Cyan => shade(24, 0, 117, 144),
-            Hue::Blue => both(26),
-            Hue::Violet => both(92),
-            Hue::Magenta => shade(127, 184, 30, 166),
-            Hue::Grey => both(242),
+            Hue::Teal => shade(17, 0, 90, 90),
+            Hue::Cyan => shade(24, 0, 110, 140),
+            Hue::Blue => both(21),
+            Hue::Violet => both(91),
+            Hue::Magenta => shade(127, 180, 20, 160),
+            Hue::Grey => both(244),
         }
     }
 
+    /// Returns the shade of its luminance on black, on Solarized's dark background and on dark grey.
     fn shade_on_dark(self) -> Shade {
         match self {
-            Hue::Red => shade(203, 255, 105, 97),
-            Hue::Orange | Hue::Brown => both(215),
-            Hue::Yellow => shade(221, 235, 203, 80),
-            Hue::Lime => shade(149, 176, 208, 72),
-            Hue::Green => both(77),
-            Hue::Teal => both(43),
-            Hue::Cyan => shade(81, 86, 196, 250),
-            Hue::Blue => both(69),
-            Hue::Violet => both(141),
-            Hue::Magenta => shade(206, 244, 114, 220),
-            Hue::Grey => both(247),
+            Hue::Red => shade(217, 255, 172, 164),
+            Hue::Orange | Hue::Brown => both(222),
+            Hue::Yellow => shade(178, 222, 180, 60),
+            Hue::Lime => shade(148, 172, 196, 60),
+            Hue::Moss => both(65),
+            Hue::Green => both(120),
+            Hue::Teal => both(86),
+            Hue::Cyan => shade(37, 64, 184, 226),
+            Hue::Blue => both(117),
+            Hue::Violet => both(219),
+            Hue::Magenta => shade(176, 232, 136, 216),
+            Hue::Grey => both(244),
         }
     }
 
@@ -234,6 +280,7 @@ impl Palette {
     pub(crate) fn colour(self, named: Color) -> Color {
         match (self.colours, Hue::meant(named)) {
             (Colours::None, _) => Color::Reset,
+            (_, None) if named == INK => self.ink(),
             (_, None) => named,
             (Colours::Sixteen, Some(hue)) => match self.theme {
                 Theme::Auto | Theme::Plain => hue.plain(),
@@ -242,6 +289,20 @@ impl Palette {
             },
             (Colours::Indexed, Some(hue)) => hue.colour(self.theme, false),
             (Colours::True, Some(hue)) => hue.colour(self.theme, true),
+        }
+    }
+
+    /// Returns the colour with the highest contrast; that of the terminal's text on an unknown
+    /// background.
+    fn ink(self) -> Color {
+        let [light, dark] = match self.colours {
+            Colours::None | Colours::Sixteen => [Color::Black, Color::White],
+            Colours::Indexed | Colours::True => [Color::Indexed(16), Color::Indexed(231)],
+        };
+        match self.theme {
+            Theme::Auto | Theme::Plain => Color::Reset,
+            Theme::Light => light,
+            Theme::Dark => dark,
         }
     }
 
@@ -264,15 +325,17 @@ impl Palette {
 mod tests {
     use super::super::theme::{self, ScreenPart};
     use super::*;
-    use crate::drawing::{Figure, LINK_HUES, Reach, Role, WorldView, svg};
-    use crate::scene::{Scene, presets};
-    use crate::solver::Solver;
+    use crate::drawing::{LINK_HUES, Role};
 
     const BLACK: Color = Color::Rgb(0, 0, 0);
     const WHITE: Color = Color::Rgb(255, 255, 255);
     /// The backgrounds of two widely used colour schemes.
     const SOFT_BLACK: Color = Color::Rgb(0x1e, 0x1e, 0x1e);
     const SOFT_WHITE: Color = Color::Rgb(0xfd, 0xf6, 0xe3);
+    const SOLARIZED: Color = Color::Rgb(0, 0x2b, 0x36);
+    const GREY: Color = Color::Rgb(0x33, 0x33, 0x33);
+    const DARK: [Color; 4] = [BLACK, SOFT_BLACK, SOLARIZED, GREY];
+    const LIGHT: [Color; 2] = [WHITE, SOFT_WHITE];
 
     fn exact(colour: Color) -> [u8; 3] {
         let level = |n: u8| if n == 0 { 0 } else { 55 + 40 * n };
@@ -309,12 +372,13 @@ mod tests {
         (a.max(b) + 0.05) / (a.min(b) + 0.05)
     }
 
-    const ALL: [Hue; 12] = [
+    const ALL: [Hue; 13] = [
         Hue::Red,
         Hue::Orange,
         Hue::Brown,
         Hue::Yellow,
         Hue::Lime,
+        Hue::Moss,
         Hue::Green,
         Hue::Teal,
         Hue::Cyan,
@@ -330,9 +394,9 @@ mod tests {
     }
 
     /// Returns the hues of text: names of links and of the driver, magnitudes of forces, notices
-    /// and quiet text. Orange and lime are for lines only.
+    /// and quiet text. Orange, lime and moss are for lines only.
     fn written() -> Vec<Hue> {
-        let drawn_only = [Hue::Orange, Hue::Lime];
+        let drawn_only = [Hue::Orange, Hue::Lime, Hue::Moss];
         ALL.into_iter()
             .filter(|hue| !drawn_only.contains(hue))
             .collect()
@@ -384,26 +448,95 @@ mod tests {
         assert!(worst(false, &[SOFT_BLACK, SOFT_WHITE]) >= 3.5);
     }
 
+    const BRIGHT: [Hue; 6] = [
+        Hue::Red,
+        Hue::Blue,
+        Hue::Green,
+        Hue::Violet,
+        Hue::Orange,
+        Hue::Teal,
+    ];
+    const NORMAL: [Hue; 5] = [Hue::Yellow, Hue::Lime, Hue::Cyan, Hue::Magenta, Hue::Brown];
+    const DIM: [Hue; 2] = [Hue::Grey, Hue::Moss];
+
+    /// Every hue has one of three luminances on every known background: links and the driver,
+    /// arrows and names, guides and traces.
     #[test]
-    fn light_and_dark_themes_reach_contrast_4_5() {
+    fn three_luminances_keep_their_contrast_on_every_known_ground() {
+        assert_eq!(BRIGHT.len() + NORMAL.len() + DIM.len(), ALL.len());
         for exact in [false, true] {
-            assert!(worst(&written(), Theme::Light, exact, &[WHITE, SOFT_WHITE]) >= 4.5);
-            assert!(worst(&written(), Theme::Dark, exact, &[BLACK, SOFT_BLACK]) >= 4.5);
+            for (theme, grounds) in [(Theme::Light, &LIGHT[..]), (Theme::Dark, &DARK)] {
+                for (hues, least) in [(&BRIGHT[..], 7.0), (&NORMAL, 4.5), (&DIM, 2.5)] {
+                    let worst = worst(hues, theme, exact, grounds);
+                    assert!(worst >= least, "{theme:?}, {exact}, {least}: {worst}");
+                }
+                // What is dim is dimmer than anything else, on every background.
+                for ground in grounds {
+                    let of = |hue: &Hue| contrast(hue.colour(theme, exact), *ground);
+                    let most = DIM.iter().map(of).fold(0.0, f64::max);
+                    let others = BRIGHT.iter().chain(&NORMAL).map(of);
+                    let least = others.fold(f64::INFINITY, f64::min);
+                    assert!(
+                        most < least,
+                        "{theme:?}, {exact}, {ground:?}: {most}, {least}"
+                    );
+                }
+                let colours = if exact {
+                    Colours::True
+                } else {
+                    Colours::Indexed
+                };
+                let ink = Palette { colours, theme }.colour(INK);
+                for ground in grounds {
+                    assert!(contrast(ink, *ground) >= 7.0, "{ground:?}");
+                }
+            }
+        }
+    }
+
+    /// The roles of the drawing have the luminances of their kinds.
+    #[test]
+    fn roles_have_luminances_of_their_kinds() {
+        let hue = |role| theme::role(role).fg.and_then(Hue::meant);
+        for role in (0..LINK_HUES).map(Role::Link).chain([Role::Driver]) {
+            assert!(
+                hue(role).is_some_and(|hue| BRIGHT.contains(&hue)),
+                "{role:?}"
+            );
+        }
+        for role in [Role::Joint, Role::GroundPin, Role::Slider] {
+            assert_eq!(theme::role(role).fg, Some(INK), "{role:?}");
+        }
+        for role in [Role::Guide, Role::Ground, Role::Axis, Role::Ghost] {
+            let style = theme::role(role);
+            let is_faint = style.add_modifier.contains(Modifier::DIM) && style.fg.is_none();
+            assert!(is_faint, "{role:?}: {style:?}");
+        }
+        assert_eq!(hue(Role::Trace), Some(Hue::Moss));
+        assert_eq!(hue(Role::Trail), Some(Hue::Lime));
+    }
+
+    #[test]
+    fn ground_is_judged_by_its_luminance() {
+        for (colour, ground) in [
+            ([0, 0, 0], Ground::Dark),
+            ([0, 0x2b, 0x36], Ground::Dark),
+            ([0x33, 0x33, 0x33], Ground::Dark),
+            ([0xfd, 0xf6, 0xe3], Ground::Light),
+            ([255, 255, 255], Ground::Light),
+            ([0xc0, 0xc0, 0xc0], Ground::Light),
+        ] {
+            assert_eq!(Ground::of(colour), ground, "{colour:?}");
         }
     }
 
     /// WCAG 2.2 requires a contrast of 3 for graphics.
     #[test]
-    fn lines_reach_contrast_3_on_every_background() {
-        for (theme, grounds) in [
-            (Theme::Auto, &[BLACK, WHITE, SOFT_BLACK, SOFT_WHITE][..]),
-            (Theme::Light, &[WHITE, SOFT_WHITE]),
-            (Theme::Dark, &[BLACK, SOFT_BLACK]),
-        ] {
-            for exact in [false, true] {
-                let worst = worst(&drawn(), theme, exact, grounds);
-                assert!(worst >= 3.0, "{theme:?}, {exact}: {worst}");
-            }
+    fn lines_reach_contrast_3_on_unknown_background() {
+        for exact in [false, true] {
+            let grounds = [BLACK, WHITE, SOFT_BLACK, SOFT_WHITE];
+            let worst = worst(&drawn(), Theme::Auto, exact, &grounds);
+            assert!(worst >= 3.0, "{exact}: {worst}");
         }
     }
 
@@ -451,25 +584,6 @@ mod tests {
                 Color::DarkGray,
             ];
             assert!(read.contains(&hue.deep()), "{hue:?}: {:?}", hue.deep());
-        }
-    }
-
-    /// Printed drawings use the hues of the screen.
-    #[test]
-    fn svg_links_have_hues_of_the_screen() {
-        let preset = presets::find("four-bar").expect("it is there");
-        let scene = Scene::parse(preset.text, preset.name).expect("it reads");
-        let solver = Solver::new(&scene.mechanism).expect("it moves");
-        let view = WorldView::fit(&Reach::of(&scene, &solver), 9, 4, 2.0);
-        let document = svg(&Figure::new(), &view, "hues", &[]);
-        for (theme, style) in [(Theme::Light, 0), (Theme::Dark, 1)] {
-            let sheet = document.split("@media").nth(style).expect("there are two");
-            for hue in 0..LINK_HUES {
-                let named = theme::role(Role::Link(hue)).fg.and_then(Hue::meant);
-                let [r, g, b] = exact(named.expect("links have hues").colour(theme, true));
-                let rule = format!(".hue{hue}{{stroke:#{r:02x}{g:02x}{b:02x}");
-                assert!(sheet.contains(&rule), "{theme:?}: {rule}");
-            }
         }
     }
 

@@ -1,6 +1,7 @@
 //! The style of each part of the screen. Colours are names, one per hue, which the palette maps to
 //! colours. A colour never carries a meaning alone.
 
+use super::palette::INK;
 use crate::drawing::{Hue, Role, is_bold};
 use ratatui::style::{Color, Modifier, Style};
 
@@ -51,12 +52,14 @@ pub(crate) fn role(role: Role) -> Style {
         return part(ScreenPart::Key);
     }
     let style = match Hue::of(role) {
+        // Pins and marks have the highest contrast.
+        None if is_bold(role) => Style::new().fg(INK),
         None => Style::new(),
         Some(Hue::Grey) => Style::new().add_modifier(Modifier::DIM),
         // Faint if there is no colour for it, because a trace is as thin as a ghost and must not
         // look like a link.
-        Some(Hue::Lime) => Style::new()
-            .fg(Hue::Lime.named())
+        Some(Hue::Moss) => Style::new()
+            .fg(Hue::Moss.named())
             .add_modifier(Modifier::DIM),
         Some(hue) => Style::new().fg(hue.named()),
     };

@@ -156,7 +156,7 @@ fn has_digits(text: &str) -> bool {
 }
 
 /// Formats a value with `decimals` decimals; zero has no sign.
-fn plain(value: f64, decimals: usize) -> String {
+pub(crate) fn plain(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     match text.strip_prefix('-') {
         Some(digits) if !has_digits(digits) => digits.to_owned(),

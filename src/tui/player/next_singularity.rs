@@ -16,7 +16,7 @@ const DECIMALS: usize = 1;
 
 /// The kind of a singularity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SingularityKind {
+pub(crate) enum SingularityKind {
     Stop(LimitId),
     DeadPoint,
     ChangePoint,
@@ -30,6 +30,36 @@ pub(crate) struct NextSingularity {
     kind: SingularityKind,
     /// The distance in degrees or the scene's length unit, greater than 0.
     distance: f64,
+}
+
+/// Returns the singularities of a motion with their coordinates. Of several at the same coordinate,
+/// the first counts: a limit may also be a stop or a dead point.
+pub(crate) fn singularities(
+    driver_range: &DriverRange,
+    motion: &Motion,
+) -> Vec<(SingularityKind, f64)> {
+    let limits = driver_range
+        .shuttle()
+        .map_or([None; 2], |(low, high)| [low, high].map(Some));
+    let stops = motion.stops.iter();
+    let all = (motion
+        .dead_points
+        .iter()
+        .map(|&to| (SingularityKind::DeadPoint, to)))
+    .chain(stops.map(|stop| (SingularityKind::Stop(stop.limit), stop.at)))
+    .chain(
+        motion
+            .change_points
+            .iter()
+            .map(|&to| (SingularityKind::ChangePoint, to)),
+    )
+    .chain(
+        limits
+            .into_iter()
+            .flatten()
+            .map(|to| (SingularityKind::Limit, to)),
+    );
+    all.collect()
 }
 
 /// Returns the next singularity in the direction of motion from `at`; `None` if none is near.
@@ -49,29 +79,7 @@ pub(crate) fn ahead(
         Range::Full { period } => ((to - at) * sense).rem_euclid(period),
         Range::Limited { .. } => (to - at) * sense,
     };
-    let limits = driver_range
-        .shuttle()
-        .map_or([None; 2], |(low, high)| [low, high].map(Some));
-    // Of several at the same coordinate, the first counts: a limit may also be a stop or a dead
-    // point.
-    let stops = motion.stops.iter();
-    let all = (motion
-        .dead_points
-        .iter()
-        .map(|&to| (SingularityKind::DeadPoint, to)))
-    .chain(stops.map(|stop| (SingularityKind::Stop(stop.limit), stop.at)))
-    .chain(
-        motion
-            .change_points
-            .iter()
-            .map(|&to| (SingularityKind::ChangePoint, to)),
-    )
-    .chain(
-        limits
-            .into_iter()
-            .flatten()
-            .map(|to| (SingularityKind::Limit, to)),
-    );
+    let all = singularities(driver_range, motion).into_iter();
     let ahead = all.map(|(kind, to)| NextSingularity {
         kind,
         distance: distance(to),
@@ -81,19 +89,22 @@ pub(crate) fn ahead(
         .min_by(|a, b| a.distance.total_cmp(&b.distance))
 }
 
+impl SingularityKind {
+    /// Returns the name of the kind, with that of a stop.
+    pub(crate) fn name(self, scene: &Scene) -> String {
+        match self {
+            SingularityKind::Stop(limit) => words().stop_of(&stop_name(scene, limit)),
+            SingularityKind::DeadPoint => words().dead_point().to_owned(),
+            SingularityKind::ChangePoint => words().change_point().to_owned(),
+            SingularityKind::Limit => words().limit().to_owned(),
+        }
+    }
+}
+
 impl NextSingularity {
     /// Formats the singularity: `dead point in 3.2 deg`.
     pub(crate) fn text(self, scene: &Scene, driver_range: &DriverRange, unit: &str) -> String {
-        let stop;
-        let kind = match self.kind {
-            SingularityKind::Stop(limit) => {
-                stop = words().stop_of(&stop_name(scene, limit));
-                &stop
-            }
-            SingularityKind::DeadPoint => words().dead_point(),
-            SingularityKind::ChangePoint => words().change_point(),
-            SingularityKind::Limit => words().limit(),
-        };
+        let kind = &self.kind.name(scene);
         let decimals = if driver_range.turns() {
             DECIMALS
         } else {

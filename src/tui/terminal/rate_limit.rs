@@ -157,6 +157,11 @@ impl RateLimit {
         ask
     }
 
+    /// Returns `true` if the terminal is known to answer queries.
+    pub(super) fn is_answered(&self) -> bool {
+        self.manner == Manner::Answers
+    }
+
     /// Records bytes sent outside frames.
     pub(super) fn say(&mut self, bytes: usize) {
         self.has_said = true;

@@ -8,7 +8,7 @@ use super::rate_limit::{QUESTION, RateLimit};
 use super::signals::{self, Notice, Signals};
 use super::still::StillSequence;
 use super::watch::Watch;
-use crate::capability::Capability;
+use crate::capability::{Capability, Colours};
 use crate::tui::Error;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::Mouse;
@@ -35,6 +35,8 @@ const PASTE_OFF: &[u8] = b"\x1b[?2004l";
 /// coordinates of any size (1006).
 const MOUSE_ON: &[u8] = b"\x1b[?1002h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1002l";
+/// Asks for the colour of the background (OSC 11). Many terminals do not answer.
+const GROUND_QUESTION: &[u8] = b"\x1b]11;?\x1b\\";
 /// Ends a frame that was cut short: CAN aborts an incomplete sequence, and the frame is shown as it
 /// is.
 const CUT: &[u8] = b"\x18";
@@ -53,6 +55,8 @@ pub(crate) enum Wake {
     Paste(String),
     /// A mouse event.
     Mouse(Mouse),
+    /// The colour of the terminal's background, in red, green and blue.
+    Ground([u8; 3]),
     /// A signal.
     Notice(Notice),
     /// The line has transmitted the last frame.
@@ -84,6 +88,8 @@ pub(crate) struct Tty {
     cut: bool,
     watch: Watch,
     rate_limit: RateLimit,
+    /// `true` until the terminal was asked for its background.
+    asks_ground: bool,
     /// Events not yet fetched.
     wakes: Vec<Wake>,
 }
@@ -115,6 +121,7 @@ impl Tty {
             cut: false,
             watch: Watch::new(),
             rate_limit: RateLimit::new(None),
+            asks_ground: capability.modern && capability.colours != Colours::None,
             wakes: Vec::new(),
         };
         tty.enter()?;
@@ -274,9 +281,18 @@ impl Tty {
         if frame.is_empty() {
             return Ok(());
         }
-        let ask = self.rate_limit.send(frame.len(), Instant::now());
-        let question = if ask { QUESTION } else { &[] };
-        self.write_all(&[frame, question].concat())
+        // Behind the first frame, and before a query that the terminal is known to answer: so the
+        // answer about the background never arrives after krank has left.
+        let ground = match self.asks_ground && self.rate_limit.is_answered() {
+            true => GROUND_QUESTION,
+            false => &[],
+        };
+        let bytes = frame.len() + ground.len();
+        if !self.rate_limit.send(bytes, Instant::now()) {
+            return self.write_all(frame);
+        }
+        self.asks_ground &= ground.is_empty();
+        self.write_all(&[frame, ground, QUESTION].concat())
     }
 
     /// Switches mouse reports on or off. They are switched off whenever the terminal is restored.
@@ -415,6 +431,7 @@ impl Tty {
                 Arrival::Input(TerminalInput::Key(key), _) => Wake::Key(key),
                 Arrival::Input(TerminalInput::Paste(text), _) => Wake::Paste(text),
                 Arrival::Input(TerminalInput::Mouse(mouse), _) => Wake::Mouse(mouse),
+                Arrival::Input(TerminalInput::Ground(colour), _) => Wake::Ground(colour),
                 Arrival::Input(TerminalInput::Answer, at) => {
                     self.rate_limit.answered(at);
                     Wake::Room

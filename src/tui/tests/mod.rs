@@ -4,6 +4,7 @@ mod candidates;
 mod monkey;
 mod mouse;
 mod slow_line;
+mod stage;
 mod tolerances;
 
 use super::app::{App, View};

@@ -198,7 +198,7 @@ fn send(bytes: &[u8], keyboard: &mut Keyboard, workbench: &mut Workbench) -> boo
                         return false;
                     }
                 }
-                TerminalInput::Key(_) | TerminalInput::Answer => {}
+                TerminalInput::Key(_) | TerminalInput::Answer | TerminalInput::Ground(_) => {}
             }
             check(workbench.app());
         }

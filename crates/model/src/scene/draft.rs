@@ -10,6 +10,7 @@ use super::elements::link::{self, DraftLink};
 use super::elements::points::{self, DraftVector, PlacedPoint, places};
 use super::elements::redundant::{self, Redundant};
 use super::elements::slide::{self, DraftSlide};
+use super::elements::view::{self, DraftView};
 use super::inputs::input::{self, DraftDriver};
 use super::inputs::motor::{self, Motor};
 use super::inputs::timed_inputs::{self, DraftTimed};
@@ -55,12 +56,13 @@ pub(crate) struct SceneDraft<'t> {
     pub(crate) gravity: Vec2,
     pub(crate) figures: Vec<DraftFigure<'t>>,
     pub(crate) redundant: Redundant,
+    pub(crate) view: DraftView<'t>,
     pub(crate) tolerances: DraftTolerances<'t>,
     /// Whether a section could not be read at all, so that all its names are missing.
     pub(crate) unreadable: bool,
     /// Whether a link or a slide names an unreadable point.
     pub(crate) lost_points: bool,
-    /// Whether a vector, a load or a spring that may have named a point could not be read.
+    /// Whether a vector, a load, a spring or a trace that may have named a point could not be read.
     pub(crate) lost_references: bool,
 }
 
@@ -199,6 +201,9 @@ impl<'v> SceneDraft<'v> {
         }
         if let Some(value) = file.get("springs") {
             self.springs = spring::springs(reader, value);
+        }
+        if let Some(value) = file.get("view") {
+            self.view = view::read(reader, value);
         }
         self.lost_references = reader.found.len() > before;
     }

@@ -180,6 +180,7 @@ SCENE =
     "tolerances": Numbers(Of(Measure::Deviation)), [], tolerances_of_points, tolerance_of_link_or_scene;
     "clearances": Numbers(Of(Measure::Deviation)), [], clearances_of_pins, "`clearance`";
     "redundant": Table(REDUNDANT), [], constraints_that_repeat, no_default;
+    "view": Table(VIEW), [], what_views_show_first, no_default;
 
 DRIVER =
     "link": Text, ["link"], the_turning_link, "";
@@ -271,6 +272,9 @@ MOTOR =
 
 REDUNDANT =
     "misfit": Number(In(Measure::Length), NotNegative), [], misfit_accepted, "0";
+
+VIEW =
+    "traces": Text, [], points_traced_first, "`[]`";
 }
 
 /// Returns the row of a key.
@@ -407,7 +411,7 @@ mod tests {
     /// A key without code that reads it would accept any value.
     #[test]
     fn every_key_of_every_table_is_read() {
-        let tables: [(&str, &[SceneKey], [&str; 2]); 12] = [
+        let tables: [(&str, &[SceneKey], [&str; 2]); 13] = [
             ("", SCENE, ["", ""]),
             ("driver", DRIVER, ["{ ", " }"]),
             (
@@ -424,6 +428,7 @@ mod tests {
             ("springs", SPRING, ["[{ ", " }]"]),
             ("motor", MOTOR, ["{ ", " }"]),
             ("redundant", REDUNDANT, ["{ ", " }"]),
+            ("view", VIEW, ["{ ", " }"]),
         ];
         for (table, keys, [begin, end]) in tables {
             for key in keys {

@@ -121,6 +121,8 @@ pub struct Scene {
     pub mechanism: Mechanism,
     /// The vectors of the tables in the order of the file: links with two ends, slides, `[vectors]`.
     pub vectors: Vec<Vector>,
+    /// The points with traces from the start (`traces` of `[view]`), in the order of the file.
+    pub traces: Vec<PointId>,
     /// The values computed from others (`[figures]`), in the order of the file.
     pub figures: Vec<NamedFormula>,
     /// The motion of the driver over time (`motion` of `[driver]`).
@@ -210,6 +212,7 @@ impl Scene {
                 unit: draft.unit,
                 mechanism: resolved.mechanism,
                 vectors: resolved.vectors,
+                traces: resolved.traces,
                 figures: figures.filter_map(|figure| figure.formula).collect(),
                 motion: draft.driver.and_then(|driver| driver.motion),
                 motor: draft.motor,

@@ -22,6 +22,7 @@ use std::collections::{HashMap, HashSet};
 pub(crate) struct Resolved {
     pub(crate) mechanism: Mechanism,
     pub(crate) vectors: Vec<Vector>,
+    pub(crate) traces: Vec<PointId>,
     pub(crate) point_names: Vec<Option<String>>,
     pub(crate) link_names: Vec<String>,
     pub(crate) slide_names: Vec<String>,
@@ -49,6 +50,7 @@ pub(crate) fn resolve<'t>(reader: &mut Reader<'_>, draft: &SceneDraft<'t>) -> Op
     resolver.loads();
     resolver.springs();
     resolver.redundant();
+    resolver.view();
     if !(draft.lost_points || draft.lost_references) {
         resolver.unused();
     }
@@ -73,6 +75,7 @@ pub(crate) struct Resolver<'r, 's, 't> {
     point_names: Vec<Option<String>>,
     pub(crate) limit_places: LimitPlaces,
     vectors: Vec<(ByteSpan, Vector)>,
+    traces: Vec<PointId>,
     places: TextPlaces,
 }
 
@@ -92,6 +95,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
             point_names: Vec::new(),
             limit_places: Vec::new(),
             vectors: Vec::new(),
+            traces: Vec::new(),
             places: TextPlaces {
                 driver: draft.driver_key.clone().unwrap_or_default(),
                 ..TextPlaces::default()
@@ -322,6 +326,15 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         }
     }
 
+    fn view(&mut self) {
+        let what = words().key_of("traces", "[view]");
+        for name in &self.draft.view.traces {
+            let point = self.point(&what, name);
+            let is_new = |point: &PointId| !self.traces.contains(point);
+            self.traces.extend(point.filter(is_new));
+        }
+    }
+
     fn redundant(&mut self) {
         redundant::check(self.reader, self.draft);
         self.builder.misfit(self.draft.redundant.misfit);
@@ -431,6 +444,7 @@ impl<'r, 's, 't> Resolver<'r, 's, 't> {
         Some(Resolved {
             mechanism,
             vectors: vectors.into_iter().map(|(_, vector)| vector).collect(),
+            traces: self.traces,
             point_names,
             link_names: self.draft.links.iter().map(|l| name(&l.name)).collect(),
             slide_names: self.built_slides.iter().map(|s| name(&s.name)).collect(),

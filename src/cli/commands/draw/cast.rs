@@ -36,14 +36,10 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         rows: rows.saturating_sub(lines).max(1),
     });
     let places = turn::places(drawn);
-    let settled = drawn.settled_labels(&places, &view);
-    let (mut labels, mut state) = (settled.clone(), drawn.solver.state());
+    let (mut labels, mut state) = (drawn.planned_labels(&view, glyphs), drawn.solver.state());
     let mut before = Raster::new();
     for (k, &at) in places.iter().enumerate() {
-        if k + 1 == places.len() {
-            // The last frame equals the first, even if labels moved during the motion.
-            labels.clone_from(&settled);
-        }
+        labels.go(&drawn.links, at);
         let figure = drawn.figure_at(at, &mut state);
         let mut raster = Raster::new();
         drawing::render_into(&figure, &view, glyphs, &mut labels, &mut raster);

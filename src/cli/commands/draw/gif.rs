@@ -4,7 +4,7 @@ use super::svg::unpainted;
 use super::turn::{self, RATE};
 use super::{DrawFormat, DrawnScene, FormatOption};
 use crate::cli::failure::Failure;
-use crate::drawing::{self, Labels, WorldView};
+use crate::drawing::{self, Glyphs, Labels, WorldView};
 use crate::pixels::{Canvas, PaintError, Pixels, animation};
 use crate::wording::Words;
 
@@ -36,9 +36,9 @@ fn write(drawn: &DrawnScene<'_>) -> Result<Vec<u8>, Failure> {
         .step_by(places.len().div_ceil(TYPICAL));
     let painted = || -> Result<Vec<u8>, PaintError> {
         let canvas = Canvas::new()?;
-        let settled = drawn.settled_labels(places, &window(drawn));
-        let typical = pictures(drawn, &canvas, &settled, typical);
-        let all = pictures(drawn, &canvas, &settled, places.iter().copied());
+        let planned = drawn.planned_labels(&window(drawn), Glyphs::Braille);
+        let typical = pictures(drawn, &canvas, &planned, typical);
+        let all = pictures(drawn, &canvas, &planned, places.iter().copied());
         animation(typical, all, RATE)
     };
     painted().map_err(unpainted)
@@ -53,15 +53,16 @@ fn window(drawn: &DrawnScene<'_>) -> WorldView {
 fn pictures(
     drawn: &DrawnScene<'_>,
     canvas: &Canvas,
-    settled: &Labels,
+    planned: &Labels,
     places: impl ExactSizeIterator<Item = f64>,
 ) -> impl ExactSizeIterator<Item = Result<Pixels, PaintError>> {
     let view = window(drawn);
     let legend = drawn.overlay.legend(&view, 1.0);
     let width = u32::from(drawn.args.width.unwrap_or(WIDTH));
-    let mut labels = settled.clone();
+    let mut labels = planned.clone();
     let mut state = drawn.solver.state();
     places.map(move |at| {
+        labels.go(&drawn.links, at);
         let figure = drawn.figure_at(at, &mut state);
         let ground = drawn.ground();
         let svg = drawing::svg_on(ground, &figure, &view, "", &legend, &mut labels);

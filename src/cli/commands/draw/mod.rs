@@ -10,6 +10,7 @@ mod svg;
 mod text;
 mod turn;
 
+use crate::PointId;
 use crate::cli::choice::{OrAuto, one_of};
 use crate::cli::failure::{Failure, note};
 use crate::cli::output::{OutputArgs, goes_to_terminal, write_to};
@@ -17,15 +18,12 @@ use crate::cli::picture::{ASPECT, GLYPHS, Size};
 use crate::cli::place::{PlaceArgs, nothing_hidden, out_of_reach, place};
 use crate::cli::screen::TextScreen;
 use crate::cli::source::{SceneArgs, SolvableScene};
-use crate::drawing::{
-    self, Glyphs, Labels, Layers, Overlay, Raster, Reach, SvgGround, Wanted, WorldView,
-};
+use crate::drawing::{self, Glyphs, Labels, Layers, Overlay, Reach, SvgGround, Wanted, WorldView};
 use crate::nearest::nearest;
 use crate::quantity::Catalogue;
 use crate::scene::Scene;
 use crate::solver::{Condition, Order, Solver, State, Workspace};
 use crate::wording::words;
-use crate::{Mechanism, PointId};
 use clap::builder::PossibleValue;
 use clap::{Args, ValueEnum};
 use format::{DrawFormat, FormatOption};
@@ -63,6 +61,9 @@ impl FromStr for PaperScale {
 
 /// Maximum enlargement and reduction: the scales of ISO 5455 end at 1:10000.
 const MAX_SCALE: f64 = 10_000.0;
+
+/// The value of `--traces` for no traces at all.
+const NONE: &str = "none";
 
 /// Maximum number of ghosts; more would hide each other.
 const MAX_GHOSTS: i64 = 360;
@@ -263,15 +264,12 @@ impl<'a> DrawnScene<'a> {
         self.figure(state.state())
     }
 
-    /// Places the labels for a whole motion: each keeps the side that suits it, and ends where it
-    /// began.
-    fn settled_labels(&self, places: &[f64], view: &WorldView) -> Labels {
-        let (mut labels, mut raster) = (Labels::default(), Raster::new());
+    /// Plans the sides of the labels over the whole motion.
+    fn planned_labels(&self, view: &WorldView, glyphs: Glyphs) -> Labels {
+        let mut labels = Labels::default();
         let mut state = self.solver.state();
-        for &at in places {
-            let figure = self.figure_at(at, &mut state);
-            drawing::render_into(&figure, view, Glyphs::Braille, &mut labels, &mut raster);
-        }
+        let figure_at = |at| self.figure_at(at, &mut state);
+        labels.plan(&self.links, self.state.at(), view, glyphs, figure_at);
         labels
     }
 
@@ -333,10 +331,16 @@ fn layers(args: &DrawArgs) -> Layers {
 }
 
 fn wanted(args: &DrawArgs, scene: &Scene) -> Result<Wanted, Failure> {
-    let (traces, arrows) = (drawing::usual_traces, drawing::usual_arrows);
+    let arrows = |scene: &Scene| drawing::usual_arrows(&scene.mechanism);
+    // A picture shows the traces that the scene names; a drawing for CAD only those asked for.
+    let traces = match args.traces.as_deref() {
+        None if args.format.is_picture => scene.traces.clone(),
+        Some([none]) if none == NONE => Vec::new(),
+        names => points(scene, "--traces", names, drawing::usual_traces)?,
+    };
     Ok(Wanted {
         is_timed: false,
-        traces: points(scene, "--traces", args.traces.as_deref(), traces)?,
+        traces,
         velocities: points(scene, "--velocities", args.velocities.as_deref(), arrows)?,
         accelerations: points(
             scene,
@@ -354,13 +358,12 @@ fn points(
     scene: &Scene,
     option: &str,
     names: Option<&[String]>,
-    usual: impl Fn(&Mechanism) -> Vec<PointId>,
+    usual: impl Fn(&Scene) -> Vec<PointId>,
 ) -> Result<Vec<PointId>, Failure> {
-    let mechanism = &scene.mechanism;
     match names {
         None => Ok(Vec::new()),
-        Some([]) => Ok(usual(mechanism)),
-        Some([all]) if all == "all" => Ok(drawing::moving_points(mechanism).collect()),
+        Some([]) => Ok(usual(scene)),
+        Some([all]) if all == "all" => Ok(drawing::moving_points(&scene.mechanism).collect()),
         Some(names) => names
             .iter()
             .map(|name| point(scene, option, name))

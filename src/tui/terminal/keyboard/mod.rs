@@ -12,7 +12,7 @@ mod sequence;
 use super::rate_limit::ANSWER;
 use crate::tui::commands::key::Key;
 use crate::tui::commands::mouse::Mouse;
-use sequence::{control, csi, mouse, ss3};
+use sequence::{control, csi, ground, mouse, ss3};
 use std::time::{Duration, Instant};
 
 /// Timeout after a lone ESC. The rest of an arrow key arrives within a millisecond, even at 9,600
@@ -60,6 +60,8 @@ pub(crate) enum TerminalInput {
     Mouse(Mouse),
     /// The answer to krank's own query: everything sent before it has been drawn.
     Answer,
+    /// The colour of the terminal's background, in red, green and blue.
+    Ground([u8; 3]),
 }
 
 /// The state of the parser: the incomplete input.
@@ -80,7 +82,9 @@ enum Unfinished {
     Skipped(u8),
     /// A UTF-8 character with this number of bytes missing.
     Character(u8),
-    /// OSC, DCS, APC, PM or SOS: a string that krank did not request.
+    /// OSC: a string that may be the answer about the background.
+    Report,
+    /// DCS, APC, PM or SOS: a string that krank did not request.
     Text,
     /// Pasted text.
     Paste,
@@ -102,6 +106,8 @@ pub(crate) struct Keyboard {
     /// once.
     alone: Vec<u8>,
     last_byte: Option<Instant>,
+    /// The answer about the background, up to the backslash that ends it.
+    reported: Option<[u8; 3]>,
 }
 
 impl Keyboard {
@@ -168,7 +174,7 @@ impl Keyboard {
             | Unfinished::Console
             | Unfinished::Skipped(_)
             | Unfinished::Character(_) => SEQUENCE_PATIENCE,
-            Unfinished::Text => STRING_PATIENCE,
+            Unfinished::Report | Unfinished::Text => STRING_PATIENCE,
             Unfinished::Paste if self.overdue => return None,
             Unfinished::Paste => PASTE_PATIENCE,
         };
@@ -229,8 +235,10 @@ impl Keyboard {
             // ESC ends incomplete input. A preceding ESC was a key; this one often starts the
             // answer to a frame, which may follow the key immediately.
             ESC => {
+                let reported = self.report();
                 self.give_up(inputs);
                 self.begin(Unfinished::Escape);
+                self.reported = reported;
             }
             CTRL_C => {
                 self.begin(Unfinished::Ground);
@@ -246,7 +254,7 @@ impl Keyboard {
     fn go_on(&mut self, byte: u8, now: Instant, inputs: &mut Vec<TerminalInput>) {
         match self.state {
             Unfinished::Ground | Unfinished::Paste => self.ground(byte, inputs),
-            Unfinished::Escape => self.escape(byte),
+            Unfinished::Escape => self.escape(byte, inputs),
             Unfinished::Csi => self.csi(byte, now, inputs),
             Unfinished::Ss3 => self.ss3(byte, inputs),
             Unfinished::Character(rest) => self.character(byte, rest, inputs),
@@ -260,7 +268,11 @@ impl Keyboard {
                 0 | 1 => Unfinished::Ground,
                 _ => Unfinished::Skipped(rest - 1),
             }),
-            Unfinished::Text if byte == BELL => self.begin(Unfinished::Ground),
+            Unfinished::Report | Unfinished::Text if byte == BELL => {
+                inputs.extend(self.report().map(TerminalInput::Ground));
+                self.begin(Unfinished::Ground);
+            }
+            Unfinished::Report => self.hold(byte),
             Unfinished::Text => {}
         }
     }
@@ -272,7 +284,8 @@ impl Keyboard {
             // 8-bit control characters, which start no character in UTF-8.
             0x8f => self.begin(Unfinished::Ss3),
             0x9b => self.begin(Unfinished::Csi),
-            0x90 | 0x98 | 0x9d..=0x9f => self.begin(Unfinished::Text),
+            0x9d => self.begin(Unfinished::Report),
+            0x90 | 0x98 | 0x9e | 0x9f => self.begin(Unfinished::Text),
             0xc2..=0xdf => self.begin_character(byte, 1),
             0xe0..=0xef => self.begin_character(byte, 2),
             0xf0..=0xf4 => self.begin_character(byte, 3),
@@ -308,11 +321,15 @@ impl Keyboard {
         self.begin(Unfinished::Ground);
     }
 
-    fn escape(&mut self, byte: u8) {
+    fn escape(&mut self, byte: u8, inputs: &mut Vec<TerminalInput>) {
+        // ESC and a backslash end a string.
+        let reported = self.reported.take().filter(|_| byte == b'\\');
+        inputs.extend(reported.map(TerminalInput::Ground));
         match byte {
             b'[' => self.begin(Unfinished::Csi),
             b'O' => self.begin(Unfinished::Ss3),
-            b']' | b'P' | b'_' | b'^' | b'X' => self.begin(Unfinished::Text),
+            b']' => self.begin(Unfinished::Report),
+            b'P' | b'_' | b'^' | b'X' => self.begin(Unfinished::Text),
             // The end of a string, or a key with Alt, which is ignored: a slow line joins Esc with
             // the next key.
             0xc2..=0xdf => self.begin(Unfinished::Skipped(1)),
@@ -351,6 +368,11 @@ impl Keyboard {
                 self.ground(byte, inputs);
             }
         }
+    }
+
+    /// Returns the colour if the string is the answer about the background.
+    fn report(&self) -> Option<[u8; 3]> {
+        (self.state == Unfinished::Report).then(|| ground(&self.held))?
     }
 
     /// Stores a parameter byte, up to a maximum number.

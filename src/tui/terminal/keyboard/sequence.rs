@@ -145,3 +145,19 @@ fn of_code(code: u32, modifiers: u32) -> Option<Key> {
     };
     Some(key)
 }
+/// Parses the answer about the background, `11;rgb:2b2b/3636/0000`: one to four hexadecimal digits
+/// of red, green and blue. Returns `None` for another string.
+pub(super) fn ground(report: &[u8]) -> Option<[u8; 3]> {
+    let report = std::str::from_utf8(report).ok()?;
+    let colour = report.strip_prefix("11;rgb")?;
+    let colour = colour.strip_prefix("a:").or(colour.strip_prefix(":"))?;
+    let mut parts = colour.split('/').map(|digits| {
+        let most = (1..=4)
+            .contains(&digits.len())
+            .then(|| (1_u32 << (4 * digits.len())) - 1)?;
+        let value = u32::from_str_radix(digits, 16).ok()?;
+        u8::try_from(value * 255 / most).ok()
+    });
+    let mut part = || parts.next().flatten();
+    Some([part()?, part()?, part()?])
+}

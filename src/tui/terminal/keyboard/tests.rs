@@ -25,6 +25,42 @@ fn key(key: Key) -> Vec<TerminalInput> {
 }
 
 #[test]
+fn answers_about_the_background_are_decoded() {
+    let ground = |bytes: &[u8]| match keys_of(&[bytes])[..] {
+        [TerminalInput::Ground(colour)] => Some(colour),
+        [] => None,
+        ref other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        ground(b"\x1b]11;rgb:0000/2b2b/3636\x1b\\"),
+        Some([0, 0x2b, 0x36])
+    );
+    assert_eq!(ground(b"\x1b]11;rgb:f/f/f\x07"), Some([255; 3]));
+    assert_eq!(
+        ground(b"\x1b]11;rgba:ffff/0000/8080/ffff\x07"),
+        Some([255, 0, 128])
+    );
+    for other in [
+        &b"\x1b]10;rgb:ffff/ffff/ffff\x07"[..],
+        b"\x1b]11;rgb:ffff/ffff\x07",
+        b"\x1b]11;rgb:fffff/0/0\x07",
+        b"\x1b]11;?\x07",
+        b"\x1bP11;rgb:0/0/0\x1b\\",
+        b"\x1b]11;rgb:ffff/ffff/ff",
+    ] {
+        assert_eq!(ground(other), None, "{other:?}");
+    }
+    // Keys around the answer arrive.
+    let inputs = keys_of(&[b"a\x1b]11;rgb:0/0", b"/0\x1b\\b"]);
+    let expected = [
+        TerminalInput::Key(Key::Char('a')),
+        TerminalInput::Ground([0; 3]),
+        TerminalInput::Key(Key::Char('b')),
+    ];
+    assert_eq!(inputs, expected);
+}
+
+#[test]
 fn mouse_reports_decode_to_first_button_and_wheel() {
     let told = |bytes: &[u8]| match keys_of(&[bytes])[..] {
         [TerminalInput::Mouse(mouse)] => Some((mouse.deed, mouse.at.x, mouse.at.y)),

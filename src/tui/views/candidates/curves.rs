@@ -96,7 +96,8 @@ fn figure(list: &CandidateList, walk: &CurveWalk) -> Figure {
     };
     for course in list.curves() {
         let course = course.clone();
-        figure.add(Shape::Trace { course });
+        let role = Role::Trace;
+        figure.add(Shape::Trace { course, role });
     }
     figure
 }

@@ -284,7 +284,8 @@ fn drawing(
     );
     for course in list.curves().chain([shown.way()]) {
         let course = course.clone();
-        figure.add(Shape::Trace { course });
+        let role = drawing::Role::Trace;
+        figure.add(Shape::Trace { course, role });
     }
     let view = drawing::WorldView::fit(shown.reach(), area.width, area.height, app.aspect());
     let raster = drawing::render(&figure, &view, app.glyphs());

@@ -14,6 +14,8 @@ pub(super) struct MotionAreas {
     /// The title above the drawing, if there are enough rows.
     pub(super) title: Option<Rect>,
     pub(super) drawing: Rect,
+    /// The line with the position in the cycle; empty if there are too few rows.
+    pub(super) cycle: Rect,
     /// The legend below the drawing; empty if it has no entries.
     pub(super) legend: Rect,
     /// The separator, one cell wide or high.
@@ -30,6 +32,8 @@ const TABLE_SHARE: u16 = 3;
 const MIN_TABLE_HEIGHT: u16 = 4;
 /// Minimum height for the separator and the title; on lower screens the drawing gets their lines.
 const ROOM_FOR_RULE: u16 = 14;
+/// Minimum height for the line with the position in the cycle.
+const ROOM_FOR_CYCLE: u16 = 14;
 /// Minimum height of a drawing.
 const MIN_DRAWING_HEIGHT: u16 = 4;
 /// Maximum number of legend lines; a low screen shows one.
@@ -44,22 +48,25 @@ pub(super) fn arrange(app: &App, area: Rect) -> MotionAreas {
     };
     let lines = u16::from(area.height >= ROOM_FOR_RULE);
     let (title, untitled) = split(part, lines);
-    let (drawing, legend) = with_legend(app, untitled);
+    let [drawing, cycle, legend] = with_legend(app, untitled);
     MotionAreas {
         title: (lines > 0).then_some(title),
         drawing,
+        cycle,
         legend,
         rule,
         table: inset(table),
     }
 }
 
-/// Splits an area into the drawing and the legend below it.
-pub(super) fn with_legend(app: &App, area: Rect) -> (Rect, Rect) {
+/// Splits an area into the drawing, the line with the position in the cycle, and the legend.
+pub(super) fn with_legend(app: &App, area: Rect) -> [Rect; 3] {
     let lines = u16::try_from(legend(app, area).len()).unwrap_or(0);
-    let height = area.height.saturating_sub(lines).max(1);
-    let (drawing, legend) = split(area, height);
-    (drawing, inset(legend))
+    let cycle = u16::from(area.height >= ROOM_FOR_CYCLE);
+    let height = area.height.saturating_sub(lines + cycle).max(1);
+    let (drawing, below) = split(area, height);
+    let (cycle, legend) = split(below, cycle);
+    [drawing, inset(cycle), inset(legend)]
 }
 
 /// Returns the lines of the legend for a drawing in this area.
@@ -71,7 +78,12 @@ pub(super) fn legend(app: &App, area: Rect) -> Vec<Vec<LegendPiece>> {
     };
     let view = window(app, area);
     let width = usize::from(inset(area).width);
-    drawing::legend_lines(&app.views.viewport.legend(&view), app.glyphs(), width, most)
+    drawing::legend_lines(
+        &app.views.viewport.legend(app.open_scene(), &view),
+        app.glyphs(),
+        width,
+        most,
+    )
 }
 
 /// Returns the part of the scene's plane visible in this area.

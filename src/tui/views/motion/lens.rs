@@ -30,11 +30,11 @@ impl Window {
 /// The subject that the window is fitted to before it is zoomed and panned.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum Framing {
-    /// The whole motion, or closer to the linkage if it would be small.
+    /// The whole motion, so that ground and scale stay fixed.
     #[default]
-    Along,
-    /// The whole motion.
     Motion,
+    /// The whole motion, or closer to the linkage if it would be small.
+    Along,
     /// The linkage in its current pose.
     Pose,
     /// A point and its surroundings; the point stays in the middle.
@@ -66,24 +66,24 @@ impl ViewportState {
         ViewportState { held: None, ..self }
     }
 
-    /// Restores the default window.
+    /// Restores the default window, which shows the whole motion.
     pub(crate) fn reset(&mut self) {
-        self.frame(Framing::Along);
+        self.frame(Framing::default());
     }
 
-    /// Restores the default window; if it is the default already, shows the whole motion.
+    /// Restores the default window; if it is the default already, lets the window move along.
     pub(super) fn fit(&mut self) {
         self.frame(match self.fits() {
-            true => Framing::Motion,
-            false => Framing::Along,
+            true => Framing::Along,
+            false => Framing::default(),
         });
     }
 
-    /// Describes the framing in words. `of_the_whole` means that a layer shows the whole motion.
-    pub(super) fn told(&self, of_the_whole: bool) -> &'static str {
+    /// Describes the framing in words.
+    pub(super) fn told(&self) -> &'static str {
         match self.framing {
-            Framing::Along if !of_the_whole => words().window_goes_along(),
-            Framing::Along | Framing::Motion | Framing::Point(_) => words().the_whole_motion(),
+            Framing::Along => words().window_goes_along(),
+            Framing::Motion | Framing::Point(_) => words().the_whole_motion(),
             Framing::Pose => words().the_linkage_as_it_stands(),
         }
     }
@@ -91,7 +91,7 @@ impl ViewportState {
     /// Fits the window to the linkage's current pose, or returns to the default.
     pub(super) fn fit_pose(&mut self) {
         self.frame(match self.framing == Framing::Pose && self.is_whole() {
-            true => Framing::Along,
+            true => Framing::default(),
             false => Framing::Pose,
         });
     }
@@ -101,10 +101,10 @@ impl ViewportState {
     pub(super) fn follow(&mut self, points: &[PointId]) -> Option<PointId> {
         let next = match self.framing {
             Framing::Point(last) => points.iter().skip_while(|&&p| p != last).nth(1),
-            Framing::Along | Framing::Motion | Framing::Pose => points.first(),
+            Framing::Motion | Framing::Along | Framing::Pose => points.first(),
         };
         let Some(&point) = next else {
-            self.frame(Framing::Along);
+            self.reset();
             return None;
         };
         self.framing = Framing::Point(point);
@@ -119,7 +119,7 @@ impl ViewportState {
         if let Framing::Point(point) = self.framing {
             match same_point(point, before, after) {
                 Some(point) => self.framing = Framing::Point(point),
-                None => self.frame(Framing::Along),
+                None => self.reset(),
             }
         }
     }
@@ -142,7 +142,7 @@ impl ViewportState {
     fn stay(&mut self, open_scene: &OpenScene) {
         let point = match self.framing {
             Framing::Point(point) => open_scene.state().position(point),
-            Framing::Along | Framing::Motion | Framing::Pose => None,
+            Framing::Motion | Framing::Along | Framing::Pose => None,
         };
         let at = open_scene.at();
         self.held.get_or_insert(PinnedViewport {
@@ -158,7 +158,7 @@ impl ViewportState {
         self.window = window;
         match self.framing {
             Framing::Point(_) => {}
-            Framing::Along | Framing::Motion | Framing::Pose => self.stay(open_scene),
+            Framing::Motion | Framing::Along | Framing::Pose => self.stay(open_scene),
         }
         self.let_go();
     }
@@ -179,9 +179,14 @@ impl ViewportState {
         (!self.is_whole()).then(|| words().zoomed(&times(self.zoom())))
     }
 
+    /// Returns `true` if the window stays in place while the linkage moves.
+    pub(super) fn is_fixed(&self) -> bool {
+        self.framing == Framing::Motion || self.held.is_some()
+    }
+
     /// Returns `true` if the window is the default one.
     pub(crate) fn fits(&self) -> bool {
-        self.framing == Framing::Along && self.is_whole()
+        self.framing == Framing::default() && self.is_whole()
     }
 
     /// Returns `true` if the window is neither zoomed nor panned.
@@ -264,7 +269,6 @@ impl ViewportState {
         reach: &Reach,
         (cols, rows): (u16, u16),
         aspect: f64,
-        of_the_whole: bool,
     ) -> WorldView {
         let held = self.held;
         let is_it = |seen: &WorldView| (seen.cols(), seen.rows()) == (cols, rows);
@@ -273,8 +277,8 @@ impl ViewportState {
         }
         let at = held.map_or(open_scene.at(), |held| held.at);
         let view = match self.framing {
-            Framing::Along if !of_the_whole => WorldView::along(reach, at, cols, rows, aspect),
-            Framing::Along | Framing::Motion => WorldView::fit(reach, cols, rows, aspect),
+            Framing::Motion => WorldView::fit(reach, cols, rows, aspect),
+            Framing::Along => WorldView::along(reach, at, cols, rows, aspect),
             Framing::Pose => WorldView::pose(reach, at, cols, rows, aspect),
             Framing::Point(point) => {
                 let whole = WorldView::fit(reach, cols, rows, aspect);

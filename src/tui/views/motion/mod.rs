@@ -1,6 +1,7 @@
 //! Motion view: the linkage with live tables next to it, or below it on narrow screens.
 
 mod arrangement;
+mod cycle_line;
 pub(crate) mod followed;
 mod lens;
 pub(crate) mod viewport;
@@ -31,10 +32,28 @@ pub(super) const FIT: Action = Action::Motion(MotionAction::Fit);
 pub(crate) struct Sketch {
     labels: Labels,
     raster: Raster,
-    /// The scene revision of the labels, and the viewport's settings.
-    drawn: Option<(SceneRevision, ViewportSetting)>,
+    /// What the labels belong to.
+    drawn: Option<DrawnStage>,
     /// The drawing's area on the screen, and the view on the scene's plane.
     window: Option<(Rect, drawing::WorldView)>,
+}
+
+/// A scene in a window with its layers. Another one needs other places of labels.
+#[derive(Clone, Debug, PartialEq)]
+struct DrawnStage {
+    scene: SceneRevision,
+    setting: ViewportSetting,
+    /// The driver coordinate at which the stage was drawn first, and the window then.
+    at: f64,
+    view: WorldView,
+    lit: Option<Subject>,
+}
+
+impl DrawnStage {
+    /// Returns `true` if the scene and its layers are the same.
+    fn is_of(&self, other: &DrawnStage) -> bool {
+        self.scene == other.scene && self.setting == other.setting
+    }
 }
 
 /// A place of the scene seen in the drawing.
@@ -51,7 +70,7 @@ pub(crate) struct SeenPlace {
 
 impl Sketch {
     /// Returns the drawing.
-    pub(super) fn raster(&self) -> &Raster {
+    pub(crate) fn raster(&self) -> &Raster {
         &self.raster
     }
 
@@ -76,19 +95,49 @@ impl Sketch {
 
     /// Draws the linkage's current state for an area of the screen.
     pub(super) fn draw_in(&mut self, app: &App, area: Rect) {
-        let drawn = Some((
-            app.open_scene().edition().clone(),
-            app.views.viewport.setting(),
-        ));
-        if self.drawn != drawn {
-            self.drawn = drawn;
-            self.labels = Labels::default();
-        }
+        let lit = app.view().pane().subject(app);
         let view = arrangement::window(app, area);
         self.window = Some((area, view));
+        self.place_labels(app, &view, lit);
         let Sketch { labels, raster, .. } = self;
-        let lit = app.view().pane().subject(app);
         drawing::render_into(&figure_of(app, lit), &view, app.glyphs(), labels, raster);
+    }
+
+    /// Starts new labels for another scene or layer. Plans their sides over the whole motion with
+    /// the first frame that moves, so that neither the first frame nor an edit waits.
+    fn place_labels(&mut self, app: &App, view: &WorldView, lit: Option<Subject>) {
+        let (open_scene, viewport) = (app.open_scene(), &app.views.viewport);
+        let (reach, at) = (open_scene.reach(), open_scene.at());
+        let is_fixed = viewport.lens.is_fixed();
+        let now = DrawnStage {
+            scene: open_scene.edition().clone(),
+            setting: viewport.setting(),
+            at,
+            view: *view,
+            lit,
+        };
+        let same = self.drawn.as_ref().filter(|drawn| drawn.is_of(&now));
+        let Some(drawn) = same else {
+            self.labels = Labels::default();
+            self.drawn = Some(now);
+            return;
+        };
+        if drawn.lit != lit || (is_fixed && drawn.view != *view) {
+            self.labels.drop_plan();
+            self.drawn = Some(now);
+            return;
+        }
+        if is_fixed && at != drawn.at && !self.labels.is_planned() {
+            let (solver, order) = (open_scene.solver(), viewport.order(open_scene));
+            let mut state = solver.state();
+            let figure_at = |at| {
+                let _ = solver.solve(at, order, &mut state);
+                viewport.figure_in(open_scene, state.state(), lit)
+            };
+            let glyphs = app.glyphs();
+            self.labels.plan(reach, drawn.at, view, glyphs, figure_at);
+        }
+        self.labels.go(reach, at);
     }
 
     /// Returns the last drawing as an SVG document for a background, without highlighting, and its
@@ -104,7 +153,13 @@ impl Sketch {
 /// Returns the linkage's current state, with the ghosts of the linkages that it is compared with.
 fn figure_of(app: &App, lit: Option<Subject>) -> Figure {
     let open_scene = app.open_scene();
-    let mut figure = app.views.viewport.figure(open_scene, lit);
+    let viewport = &app.views.viewport;
+    let mut figure = viewport.figure(open_scene, lit);
+    viewport.add_trails(
+        &mut figure,
+        open_scene.state(),
+        app.playback().is_backwards(),
+    );
     if let Mode::Assemblies(assemblies) = app.mode() {
         for ghost in assemblies.ghosts() {
             drawing::add_ghost(&mut figure, open_scene.scene(), open_scene.state(), ghost);
@@ -137,12 +192,13 @@ impl Pane for DrawingPane {
     }
 
     fn prepare(&self, app: &App, sketch: &mut Sketch, body: Rect) {
-        sketch.draw_in(app, arrangement::with_legend(app, body).0);
+        sketch.draw_in(app, arrangement::with_legend(app, body)[0]);
     }
 
     fn render(&self, app: &App, sketch: &Sketch, body: Rect, buffer: &mut Buffer) {
-        let (drawing, legend) = arrangement::with_legend(app, body);
+        let [drawing, cycle, legend] = arrangement::with_legend(app, body);
         show(&sketch.raster, drawing, buffer);
+        cycle_line::render(app, cycle, buffer);
         explain(app, drawing, legend, buffer);
     }
 
@@ -166,6 +222,7 @@ impl Pane for MotionView {
             title::render(app, title, buffer);
         }
         show(&sketch.raster, arrangement.drawing, buffer);
+        cycle_line::render(app, arrangement.cycle, buffer);
         explain(app, arrangement.drawing, arrangement.legend, buffer);
         rule(app.glyphs(), arrangement.rule, buffer);
         if let Mode::Assemblies(assemblies) = app.mode() {

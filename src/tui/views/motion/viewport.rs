@@ -6,6 +6,8 @@
 use crate::PointId;
 use crate::drawing::{self, Figure, Layers, LegendEntry, Overlay, Reach, Wanted, WorldView};
 use crate::quantity::Subject;
+use crate::scene::Scene;
+use crate::solver::{Order, State};
 use crate::tui::player::edition::SceneRevision;
 use crate::tui::player::open_scene::OpenScene;
 use crate::tui::views::motion::followed::FollowedPoints;
@@ -67,13 +69,32 @@ pub(crate) enum Layer {
     Guides,
 }
 
-/// The states of all layers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct On([bool; 7]);
+/// The states of all layers. Each is a choice of the user; without one, a layer is in its usual
+/// state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct On([Option<bool>; 7]);
 
 impl On {
-    fn has(self, layer: Layer) -> bool {
-        self.0[layer as usize]
+    fn has(self, scene: &Scene, layer: Layer) -> bool {
+        self.0[layer as usize].unwrap_or_else(|| On::usual(scene, layer))
+    }
+
+    /// Returns the state of a layer when a scene opens: guides are shown, and traces if the scene
+    /// names their points.
+    fn usual(scene: &Scene, layer: Layer) -> bool {
+        match layer {
+            Layer::Guides => true,
+            Layer::Traces => !scene.traces.is_empty(),
+            _ => false,
+        }
+    }
+
+    /// Toggles a layer and returns its new state. A choice that equals the usual state is dropped,
+    /// so that the next scene has its own.
+    fn toggle(&mut self, scene: &Scene, layer: Layer) -> bool {
+        let on = !self.has(scene, layer);
+        self.0[layer as usize] = (on != On::usual(scene, layer)).then_some(on);
+        on
     }
 }
 
@@ -86,7 +107,7 @@ pub(crate) struct ViewportSetting {
 }
 
 /// The layers and the window of the motion view.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Viewport {
     names: ShownNames,
     on: On,
@@ -99,22 +120,6 @@ pub(crate) struct Viewport {
     made: Option<(SceneRevision, Wanted)>,
     /// The legend's text on the traced points.
     traced: String,
-}
-
-impl Default for Viewport {
-    fn default() -> Self {
-        let mut on = On([false; 7]);
-        on.0[Layer::Guides as usize] = true;
-        Viewport {
-            names: ShownNames::default(),
-            on,
-            lens: ViewportState::default(),
-            overlay: Overlay::default(),
-            reach: None,
-            made: None,
-            traced: String::new(),
-        }
-    }
 }
 
 impl Viewport {
@@ -134,29 +139,27 @@ impl Viewport {
     }
 
     /// Toggles a layer and returns its new state.
-    pub(crate) fn toggle(&mut self, layer: Layer) -> bool {
-        let on = &mut self.on.0[layer as usize];
-        *on = !*on;
-        *on
+    pub(crate) fn toggle(&mut self, scene: &Scene, layer: Layer) -> bool {
+        self.on.toggle(scene, layer)
     }
 
     /// Returns `true` if loads are shown.
     pub(crate) fn shows_forces(&self) -> bool {
-        self.on.has(Layer::Forces)
+        self.on.0[Layer::Forces as usize] == Some(true)
     }
 
-    /// Restores the default window; if it is the default already, shows the whole motion. Returns
-    /// the description of the framing.
+    /// Restores the default window; if it is the default already, lets the window move along.
+    /// Returns the description of the framing.
     pub(crate) fn fit(&mut self) -> &'static str {
         self.lens.fit();
-        self.lens.told(self.is_of_the_whole())
+        self.lens.told()
     }
 
     /// Fits the window to the linkage's current pose, or returns to the default. Returns the
     /// description of the framing.
     pub(crate) fn fit_pose(&mut self) -> &'static str {
         self.lens.fit_pose();
-        self.lens.told(self.is_of_the_whole())
+        self.lens.told()
     }
 
     /// Centres the window on the first of the followed points, then on the next; after the last
@@ -168,7 +171,7 @@ impl Viewport {
                 let name = open_scene.scene().point_name(point);
                 words().window_stays_with(name.unwrap_or_default())
             }
-            None => self.lens.told(self.is_of_the_whole()).to_owned(),
+            None => self.lens.told().to_owned(),
         }
     }
 
@@ -198,8 +201,9 @@ impl Viewport {
     }
 
     fn wanted(&self, open_scene: &OpenScene, followed: &FollowedPoints) -> Wanted {
-        let points = |layer, usual: fn(&crate::Mechanism) -> Vec<PointId>| {
-            if self.on.has(layer) {
+        let arrows: fn(&Scene) -> _ = |scene| drawing::usual_arrows(&scene.mechanism);
+        let points = |layer, usual: fn(&Scene) -> Vec<PointId>| {
+            if self.on.has(open_scene.scene(), layer) {
                 chosen(open_scene, followed, usual)
             } else {
                 Vec::new()
@@ -207,10 +211,10 @@ impl Viewport {
         };
         Wanted {
             traces: points(Layer::Traces, drawing::usual_traces),
-            velocities: points(Layer::Velocities, drawing::usual_arrows),
-            accelerations: points(Layer::Accelerations, drawing::usual_arrows),
-            forces: self.on.has(Layer::Forces),
-            ghosts: if self.on.has(Layer::Ghosts) {
+            velocities: points(Layer::Velocities, arrows),
+            accelerations: points(Layer::Accelerations, arrows),
+            forces: self.on.has(open_scene.scene(), Layer::Forces),
+            ghosts: if self.on.has(open_scene.scene(), Layer::Ghosts) {
                 GHOSTS
             } else {
                 0
@@ -221,19 +225,45 @@ impl Viewport {
 
     /// Returns the linkage's current state with all active layers; `lit` is highlighted.
     pub(crate) fn figure(&self, open_scene: &OpenScene, lit: Option<Subject>) -> Figure {
+        self.figure_in(open_scene, open_scene.state(), lit)
+    }
+
+    /// Adds the part of each trace that its point has just left behind.
+    pub(super) fn add_trails(&self, figure: &mut Figure, state: &State, backwards: bool) {
+        self.overlay.add_trails(figure, state, backwards);
+    }
+
+    /// Returns the linkage in a state with all active layers; `lit` is highlighted.
+    pub(super) fn figure_in(
+        &self,
+        open_scene: &OpenScene,
+        state: &State,
+        lit: Option<Subject>,
+    ) -> Figure {
         let layers = Layers {
-            ground: self.on.has(Layer::Guides),
+            ground: self.on.has(open_scene.scene(), Layer::Guides),
             points: self.names != ShownNames::None,
             links: self.names == ShownNames::PointsAndLinks,
-            centres: self.on.has(Layer::Centres),
+            centres: self.on.has(open_scene.scene(), Layer::Centres),
             lit,
         };
-        let (scene, state) = (open_scene.scene(), open_scene.state());
+        let scene = open_scene.scene();
         let mut figure = drawing::linkage(scene, open_scene.reach(), state, layers);
         let solver = open_scene.solver();
         self.overlay
             .add_to(&mut figure, scene, solver, state, self.lens.zoom());
         figure
+    }
+
+    /// Returns the order to which a state must be solved for the active layers.
+    pub(super) fn order(&self, open_scene: &OpenScene) -> Order {
+        let has_arrows = self.on.has(open_scene.scene(), Layer::Velocities)
+            || self.on.has(open_scene.scene(), Layer::Accelerations);
+        match (self.on.has(open_scene.scene(), Layer::Forces), has_arrows) {
+            (true, _) => Order::Force,
+            (false, true) => Order::Acceleration,
+            (false, false) => Order::Position,
+        }
     }
 
     /// Returns the extents to which a drawing of this height is fitted.
@@ -250,29 +280,20 @@ impl Viewport {
         size: (u16, u16),
         aspect: f64,
     ) -> WorldView {
-        let of_the_whole = self.is_of_the_whole();
-        self.lens
-            .view(open_scene, reach, size, aspect, of_the_whole)
-    }
-
-    /// Returns `true` if an active layer shows the whole motion.
-    fn is_of_the_whole(&self) -> bool {
-        [Layer::Traces, Layer::Ghosts]
-            .into_iter()
-            .any(|layer| self.on.has(layer))
+        self.lens.view(open_scene, reach, size, aspect)
     }
 
     /// Returns the legend of the active layers, the most important entries first.
-    pub(crate) fn legend(&self, view: &WorldView) -> Vec<LegendEntry> {
+    pub(crate) fn legend(&self, open_scene: &OpenScene, view: &WorldView) -> Vec<LegendEntry> {
         let mut entries = self.overlay.legend(view, self.lens.zoom());
         let note = |text: &str| LegendEntry::Note(text.to_owned());
-        if self.on.has(Layer::Traces) {
+        if self.on.has(open_scene.scene(), Layer::Traces) {
             entries.push(note(&self.traced));
         }
-        if self.on.has(Layer::Ghosts) {
+        if self.on.has(open_scene.scene(), Layer::Ghosts) {
             entries.push(LegendEntry::Note(words().ghost_positions(GHOSTS)));
         }
-        if self.on.has(Layer::Centres) {
+        if self.on.has(open_scene.scene(), Layer::Centres) {
             entries.push(note(words().a_centre_of_mass()));
         }
         entries
@@ -290,7 +311,7 @@ impl Viewport {
             &self.figure(open_scene, None),
             &view,
             &title,
-            &self.legend(&view),
+            &self.legend(open_scene, &view),
         )
     }
 }
@@ -299,15 +320,15 @@ impl Viewport {
 fn chosen(
     open_scene: &OpenScene,
     followed: &FollowedPoints,
-    usual: fn(&crate::Mechanism) -> Vec<PointId>,
+    usual: fn(&Scene) -> Vec<PointId>,
 ) -> Vec<PointId> {
-    let mechanism = &open_scene.scene().mechanism;
+    let scene = open_scene.scene();
     // An edit may have removed points.
-    let count = mechanism.points().len();
+    let count = scene.mechanism.points().len();
     let there = followed.points().iter().filter(|p| p.index() < count);
     let there: Vec<PointId> = there.copied().collect();
     if there.is_empty() {
-        usual(mechanism)
+        usual(scene)
     } else {
         there
     }

@@ -7,3 +7,4 @@ pub(super) mod points;
 pub(super) mod redundant;
 pub(super) mod sighted;
 pub(super) mod slide;
+pub(super) mod view;

@@ -89,6 +89,9 @@ catalogue! {
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene} at {at} {unit}";
         language_is = "language: English";
 
+        place_in_cycle(at: &str, whole: &str, unit: &str) = "{at} of {whole} {unit}";
+        place_in_range(at: &str, low: &str, high: &str, unit: &str) = "{at} in {low}..{high} {unit}";
+
         // Lists, search and selection.
         nothing_at_the_side = "no other column here";
         no_further_part = "no further part";

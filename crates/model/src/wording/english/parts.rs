@@ -173,6 +173,7 @@ catalogue! {
         head_is_tail = "its head is its tail";
         name_tail_and_head = "name two different points: [tail, head]";
         a_pair_of_points = "[tail, head] of points";
+        a_list_of_points = "a list of points";
         has_no_centre(what: &str, link: &str) = "{what}: link {link} has no centre of mass";
         no_such_point = "no such point";
         has_no_com = "has no `com`";

@@ -30,6 +30,7 @@ catalogue! {
         figures_by_formulas = "named values by formulas of others: `swing = \"r4.angle - r3.angle\"`";
         what_is_to_drive = "the motor of the scene; it does not change the motion";
         constraints_that_repeat = "how closely redundant constraints must agree";
+        what_views_show_first = "what drawings show when the scene opens";
         the_turning_link = "the link that turns about its ground point";
         the_pushed_slide = "or: the slide that is driven";
         opening_angle = "direction of the driven link's x axis where the scene opens, in deg";
@@ -128,6 +129,7 @@ catalogue! {
         clearances_of_pins = "largest distance of a pin from the centre of its hole: `B = 0.02`";
         misfit_accepted =
             "how far they may disagree over the motion, in the scene's `unit`: for drawings with few digits";
+        points_traced_first = "points whose paths are drawn: `[\"T\"]`";
         // Defaults.
         name_of_the_file = "the file's name";
         no_default = "none";

@@ -83,6 +83,9 @@ catalogue! {
         drawing_of(scene: &str, at: &dyn Display, unit: &str) = "{scene}, {at} {unit}";
         language_is = "dil: Türkçe";
 
+        place_in_cycle(at: &str, whole: &str, unit: &str) = "{at} / {whole} {unit}";
+        place_in_range(at: &str, low: &str, high: &str, unit: &str) = "{at} ({low}..{high} {unit})";
+
         // Lists, search and selection.
         nothing_at_the_side = "burada başka sütun yok";
         begins_a_frame(point: &str, link: &str) =

@@ -186,6 +186,7 @@ catalogue! {
         head_is_tail = "kuyruğu ve ucu aynı";
         name_tail_and_head = "iki ayrı nokta adlandırın: [tail, head]";
         a_pair_of_points = "nokta [tail, head]";
+        a_list_of_points = "nokta listesi";
         has_no_centre(what: &str, link: &str) = "{what}: {link} uzvunun ağırlık merkezi yok";
         no_such_point = "böyle bir nokta yok";
         has_no_com = "`com` yok";

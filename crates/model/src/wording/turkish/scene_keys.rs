@@ -31,6 +31,7 @@ catalogue! {
             "başkalarından formülle hesaplanan adlı büyüklükler: `swing = \"r4.angle - r3.angle\"`";
         what_is_to_drive = "sahnenin motoru; hareketi değiştirmez";
         constraints_that_repeat = "başkalarını yineleyen kısıtların ne kadar uyuşması gerektiği";
+        what_views_show_first = "sahne açılınca çizimlerin gösterdikleri";
         the_turning_link = "sabit noktası çevresinde dönen uzuv";
         the_pushed_slide = "ya da: tahrik edilen kızak";
         opening_angle = "sahnenin açıldığı yerde tahrik uzvunun x ekseninin yönü, deg olarak";
@@ -120,6 +121,7 @@ catalogue! {
         clearances_of_pins = "bir pimin deliğinin merkezinden en büyük uzaklığı: `B = 0.02`";
         misfit_accepted =
             "hareket boyunca ne kadar ayrışabilecekleri, sahnenin `unit` biriminde: az haneli çizimler için";
+        points_traced_first = "izi çizilen noktalar: `[\"T\"]`";
         // Defaults.
         name_of_the_file = "dosyanın adı";
         no_default = "yok";
