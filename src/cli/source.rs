@@ -95,13 +95,12 @@ fn assembled(scene: &Scene, wishes: &[AssemblyRequest]) -> Result<Solver, Failur
     })
 }
 
-/// The source of a scene.
+/// The source of a scene. An address contains a mechanism of another program.
 #[derive(Debug)]
 pub(super) enum SceneSource {
     Stdin,
     Preset(&'static Preset),
     File(PathBuf),
-    /// An internet address that contains a mechanism of another program.
     Address(String),
 }
 

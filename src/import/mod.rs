@@ -113,7 +113,8 @@ pub fn recognize(bytes: &[u8]) -> Option<ImportFormat> {
         if address::value(&parameters, "mech").is_some() {
             return Some(ImportFormat::Pmks);
         }
-        let is_plus = address::value(&parameters, "j").is_some() || is_of_pmks(address);
+        let is_packed = is_of_pmks(address) && address.contains('?');
+        let is_plus = address::value(&parameters, "j").is_some() || is_packed;
         return is_plus.then_some(ImportFormat::PmksPlus);
     }
     pmks::is_pmks(text).then_some(ImportFormat::Pmks)

@@ -372,17 +372,17 @@ impl SceneWriter<'_> {
                 computed(self.drawing.distance(from, to))
             ));
         }
+        let place = |at: [f64; 2]| match frame.ends {
+            Some(_) => self.local(DrawnPart::Link(link), at),
+            None => frame.local(at),
+        };
         let others = drawn.points.iter().filter(|&&point| {
             let ends = frame.ends.unwrap_or([usize::MAX; 2]);
             !ends.contains(&point)
         });
         let others: Vec<String> = others
             .map(|&point| {
-                let at = match frame.ends {
-                    Some(_) => self.local(DrawnPart::Link(link), self.drawing.points[point].at),
-                    None => frame.local(self.drawing.points[point].at),
-                };
-                let at = pair(at, format);
+                let at = pair(place(self.drawing.points[point].at), format);
                 format!("{} = {at}", key(self.point(point)))
             })
             .collect();
@@ -392,7 +392,7 @@ impl SceneWriter<'_> {
         if let Some(mass) = drawn.mass {
             parts.push(format!(
                 "com = {}, mass = {}, inertia = {}",
-                pair(frame.local(mass.centre), format),
+                pair(place(mass.centre), format),
                 given(mass.mass),
                 computed(mass.inertia)
             ));

@@ -10,10 +10,10 @@ fn file(name: &str) -> String {
 /// The scene is the same on standard output and in a file, and is a scene for every command.
 #[test]
 fn import_writes_a_scene_that_opens() {
-    let source = file("four-bar.linkage2");
+    let source = file("four-bar.pmks.txt");
     let text = done(&["import", &source]);
     assert!(
-        text.starts_with("# Imported from a file of Linkage."),
+        text.starts_with("# Imported from a file of PMKS."),
         "{text}"
     );
     let scene = folder("import").join("four-bar.toml");
@@ -39,8 +39,9 @@ fn commands_read_files_of_other_programs() {
         "{}",
         heard.err
     );
-    let piped =
-        run(command(&["check", "-"]).stdin(fs::File::open(file("four-bar.pyslvs")).unwrap()));
+    let piped = run(command(&["check", "-"])
+        .pipe_stdin(file("four-bar.pyslvs"))
+        .unwrap());
     assert_eq!(piped.code, 0, "{}", piped.err);
     assert!(piped.out.contains("link_0"), "{}", piped.out);
 }
@@ -111,9 +112,9 @@ fn import_refuses_what_it_cannot_read() {
 #[cfg(feature = "tui")]
 #[test]
 fn workbench_opens_a_file_as_a_new_scene() {
-    let screen = done(&[&file("four-bar.linkage2"), "--print", "--size", "100x30"]);
-    assert!(screen.contains("four-bar"), "{screen}");
-    assert!(!screen.contains("four-bar.linkage2"), "{screen}");
+    let screen = done(&[&file("four-bar.pmks.txt"), "--print", "--size", "100x30"]);
+    assert!(screen.contains("four-bar.pmks"), "{screen}");
+    assert!(!screen.contains("four-bar.pmks.txt"), "{screen}");
 }
 
 #[test]

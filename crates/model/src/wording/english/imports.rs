@@ -22,7 +22,7 @@ catalogue! {
         import_force_row(row: usize) = "force {row} of `f`";
 
         // Files that cannot be read.
-        import_failed(file: &str, why: &str) = "{file}: {why}";
+        import_failed(file: &str, why: &str) = "`{file}`: {why}";
         import_unknown_format =
             "this is no file of PMKS, PMKS+, Linkage, Pyslvs or pylinkage; `krank help import` describes them";
         import_packed(version: &str) = {

@@ -22,7 +22,7 @@ catalogue! {
         import_force_row(row: usize) = "`f` içinde kuvvet {row}";
 
         // Okunamayan dosyalar.
-        import_failed(file: &str, why: &str) = "{file}: {why}";
+        import_failed(file: &str, why: &str) = "`{file}`: {why}";
         import_unknown_format =
             "bu bir PMKS, PMKS+, Linkage, Pyslvs ya da pylinkage dosyası değil; `krank help import` bunları anlatır";
         import_packed(version: &str) = {
