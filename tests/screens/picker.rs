@@ -102,7 +102,7 @@ fn typing_filters_the_list_immediately() {
         "Open a scene search: ram 4 of 40",
         "| Press with a ram",
         "| 5 links, 1 slide, unit mm; r2 turns fully",
-        "| turning, so the tool below its pin keeps its..",
+        "| without turning, so the tool below its pin",
         "open Press with a ram Enter open Esc back",
     ];
     assert_told(&screen, &told);
