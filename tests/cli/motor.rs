@@ -263,7 +263,7 @@ fn dead_points_are_named_and_have_empty_cells() {
     let boom = done(&["motor", "excavator-boom"]);
     assert!(boom.contains("dead points at "), "{boom}");
     assert!(
-        boom.contains("motor: not judged: no largest force exists"),
+        boom.contains("motor: not compared: the maximum force does not exist"),
         "{boom}"
     );
     // Values exist in every state except at the dead points.

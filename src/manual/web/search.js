@@ -1,5 +1,7 @@
 // Searches the manual. An entry of INDEX has a file, a topic, a heading, an anchor and the lines below the heading.
 const MAX_HITS = 40;
+// The maximum length of the text of a hit, in characters.
+const MAX_LENGTH = 200;
 const form = document.querySelector('form');
 const input = form.querySelector('input');
 const hits = document.querySelector('.hits');
@@ -29,9 +31,11 @@ function hit(section, line, word) {
   link.textContent = section.title;
   const text = section.lines[line];
   const from = Math.max(0, text.lastIndexOf(' ', find(section.spelledLines[line], word) - 60));
-  const part = text.slice(from, from + 200).trim();
+  const isCut = from + MAX_LENGTH < text.length;
+  const to = isCut ? text.lastIndexOf(' ', from + MAX_LENGTH) : text.length;
   const about = document.createElement('p');
-  about.textContent = (from > 0 ? '... ' : '') + part + (from + 200 < text.length ? ' ...' : '');
+  const part = text.slice(from, to > from ? to : from + MAX_LENGTH).trim();
+  about.textContent = (from > 0 ? '... ' : '') + part + (isCut ? ' ...' : '');
   const item = document.createElement('li');
   item.append(link, about);
   return item;
@@ -39,16 +43,20 @@ function hit(section, line, word) {
 
 function search() {
   const words = spelled(input.value).split(/\s+/).filter(Boolean);
+  const phrase = words.join(' ');
   const areIn = text => words.every(word => find(text, word) >= 0);
-  const inTitle = [];
-  const inText = [];
+  // Sections with the words in their title come first, then those with the words side by side.
+  const [inTitle, together, apart] = [[], [], []];
   for (const section of words.length > 0 ? sections : []) {
-    const line = section.spelledLines.findIndex(text => areIn(`${section.spelledTitle} ${text}`));
+    const side = section.spelledLines.findIndex(text => find(text, phrase) >= 0);
+    const any = section.spelledLines.findIndex(text => areIn(`${section.spelledTitle} ${text}`));
+    const line = side >= 0 ? side : any;
     if (line >= 0) {
-      (areIn(section.spelledTitle) ? inTitle : inText).push(hit(section, line, words[0]));
+      const kind = areIn(section.spelledTitle) ? inTitle : side >= 0 ? together : apart;
+      kind.push(hit(section, line, side >= 0 ? phrase : words[0]));
     }
   }
-  const found = [...inTitle, ...inText].slice(0, MAX_HITS);
+  const found = [...inTitle, ...together, ...apart].slice(0, MAX_HITS);
   hits.replaceChildren(...(found.length > 0 ? found : [hits.dataset.none]));
   main.hidden = words.length > 0;
   hits.hidden = !main.hidden;

@@ -196,7 +196,11 @@ fn singular_group_fault_names_its_elements() {
         elements: vec![ElementId::Point(point), ElementId::Driver],
         is_here_only: false,
     };
-    says(&scene, &fault, &["determine no position", "the driver"]);
+    says(
+        &scene,
+        &fault,
+        &["do not determine a position", "the driver"],
+    );
     let fault = Fault::Singular {
         elements: vec![ElementId::Point(point)],
         is_here_only: true,

@@ -201,7 +201,7 @@ catalogue! {
         mouse = "mouse";
         take_the_mouse_or_not = "mouse on or off";
         mouse_on = "mouse on: turns the crank and points; Shift selects text";
-        mouse_off = "mouse off: the terminal has it";
+        mouse_off = "mouse off: the terminal uses it";
         language = "language";
         turkish_or_english = "Turkish or English";
         help = "help";

@@ -32,7 +32,7 @@ catalogue! {
         cycle_of_range(speed: &str, range: &str) = "{range}; this range at {speed}";
         cycle_leaves_motion_out =
             "rates and times are for a driver at this constant speed, not for its motion over time";
-        nothing_to_follow = "no slide, rocker or own quantity to report: name columns with --columns";
+        nothing_to_follow = "the scene has no slide, no rocker and no [figures] to report: name columns with --columns";
         label_stroke = "stroke";
         label_swing = "swing";
         label_turns = "turns";

@@ -58,12 +58,12 @@ Examples:
 First come vector polygons, the position table, and loop equations in components
 and projected. The solution of every group follows, then velocities and
 accelerations from the differentiated equations. Joints and centres of mass have
-their tangential and normal parts. A check ends the page. Each value is computed
-by the formula in its line from values in earlier lines. For a coupled group the
-equations and the solution are shown, but not the elimination. With loads, springs
-or masses the equilibrium of every link and loaded pin follows with its reactions.
-Virtual work checks the force or torque of the driver. At a dead point only
-positions exist. Outside the range only the loops and the given values are
+their tangential and normal parts. The page ends with a check. Each value
+is computed by the formula in its line from values in earlier lines. For a coupled
+group the equations and the solution are shown, but not the elimination. With loads,
+springs or masses the equilibrium of every link and loaded pin follows with its
+reactions. Virtual work checks the force or torque of the driver. At a dead point
+only positions exist. Outside the range only the loops and the given values are
 printed, and the exit code is 1. Greek letters are spelled out if the terminal or
 the locale does not have them.";
         examples_of_draw = "\
@@ -80,7 +80,7 @@ draws all curves except circles around a ground pin, or these if there are no
 others. --velocities and --accelerations draw the arrows of all joints and points
 on links. --forces draws the forces of loads, joints, guides and the driver with
 their values. Arrows of one kind have one scale over the whole motion, shown in
-the line below. An arrow with a broken shaft is longer than it is drawn.";
+the line below. An arrow with a broken shaft is longer than drawn.";
         examples_of_export = "\
 Examples:
   krank export four-bar --format python -o four_bar.py
@@ -148,8 +148,8 @@ Examples:
 
 For each quantity: its stroke, or the swing of an angle; every maximum and minimum;
 the time ratio, slow to fast, between its extremes; the intervals within --dwell
-of an extreme; the maximum of its rate and of the rate of its rate at the speed of
-the scene. Then, for every dyad, the transmission angle furthest from 90 deg, and,
+of an extreme; the maximum of its first and second derivative at the speed of the
+scene. Then, for every dyad, the transmission angle furthest from 90 deg, and,
 for every coupled group, its worst condition. A missing value has a reason.";
         examples_of_study = "\
 Examples:
@@ -177,8 +177,8 @@ Examples:
 
 Torque and power with their peaks and means, and the energy supplied and returned,
 split into loads, gravity and inertia; the fluctuation of the speed and the
-flywheel that limits it; the shaking force on the frame; what a motor lacks; and
-for a ram: stroke, dead centres, time ratio, dwell, and speed and force at a height
+flywheel that limits it; the shaking force on the frame; the shortfall of a motor.
+For a ram: stroke, dead centres, time ratio, dwell, and speed and force at a height
 above the bottom. A cycle is the period of the motion, or of the loads if theirs is
 longer; a limited range is travelled back and forth. Options replace the values in
 [motor] of the scene. Friction is not modelled.";

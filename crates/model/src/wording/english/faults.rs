@@ -95,7 +95,7 @@ catalogue! {
              {lines}";
         opens_at_change_point(group: &str) =
             "the scene opens at a change point: the two assemblies of {group} meet there and both continue";
-        which_way = "the continuation is open";
+        which_way = "the continuation is not determined";
         choose_the_side(one: &str, other: &str) = "choose the assembly after it with {one} or {other}";
         open_at_another(coordinate: &str) = "or open the scene at another `{coordinate}` of the driver";
         opens_beyond_stop(limit: &str, value: &str, low: &str, high: &str) =
@@ -128,8 +128,8 @@ catalogue! {
 
         // Singular positions.
         opens_singular(parts: &str) =
-            "the scene opens at a change point or a dead point: {parts} determine no position there";
-        never_determine(parts: &str) = "{parts} determine no position, at any position of the driver";
+            "the scene opens at a change point or a dead point: {parts} do not determine a position there";
+        never_determine(parts: &str) = "{parts} do not determine a position, wherever the driver is";
         leave_a_motion_free = "together these allow a free motion";
         open_elsewhere_in_motion = "open the scene at another `angle` or `position` of the driver";
         join_in_another_way = "no dimension can fix this: connect these parts differently";

@@ -10,10 +10,10 @@ catalogue! {
             "the forces at {at} are not shown: {residual} is {missed}, but rounding explains at most {most}; \
              two methods disagree, which is an error in krank, not in the scene: please report it";
         forces_too_large(at: &str) =
-            "the forces at {at} are not shown: some are too large for a number; choose ordinary speeds, masses \
-             and loads";
+            "the forces at {at} are not shown: some are too large for a double; use smaller speeds, masses and \
+             loads";
         figure_too_large(figure: &str, at: &str) =
-            "{figure} at {at} is too large for a number; choose ordinary lengths and speeds";
+            "{figure} at {at} is too large for a double; use smaller lengths and speeds";
 
         // Tables.
         vector = "vector";

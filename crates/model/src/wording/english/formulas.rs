@@ -81,7 +81,7 @@ catalogue! {
         parameters_in_a_circle(name: &str, circle: &str) = "parameter {name} depends on itself: {circle}";
         follows_from_itself = "depends on itself";
         give_one_a_number = "give one of them a number";
-        parameter_reads_as_number(name: &str) = "the name {name} reads as a number";
+        parameter_reads_as_number(name: &str) = "the name {name} can be read as a number";
         begin_it_with_a_letter = "start it with a letter";
         formulas_read_a_unit(name: &str) =
             "`{name}` is a unit in formulas: choose another name, such as `{name}1`";

@@ -146,9 +146,9 @@ catalogue! {
              assembly is halved.";
         halved_until(finest: &str) = "Halved until the interval is at most {finest}, or f is 0 in its middle:";
         root_at_an_end(end: &str) =
-            "{end} is the root itself; f only touches 0 there, so bisection has nothing to halve.";
+            "{end} is the root itself; f only touches 0 there, so bisection is impossible.";
         no_change_of_sign =
-            "f has the same sign at both ends: between them is no root, or two, and there is nothing to halve.";
+            "f has the same sign at both ends: the interval contains no root or two, so bisection is impossible.";
         middle_of_interval = "middle";
         halved(count: usize) = {
             format!("After {}:", counted(count, "halving", "halvings"))
@@ -197,7 +197,7 @@ catalogue! {
         as_solved = "calculated";
         not_by_compass(unknowns: usize) =
             "Not by compass and ruler: it has {unknowns} coupled unknowns, and none of its points lies on two \
-             known lines. One would try positions until the last length fits.";
+             known lines. The only way by hand is to try positions until the last length fits.";
 
         // Guesses.
         guess_is_written =

@@ -17,7 +17,7 @@ catalogue! {
         asks_throughout(effort: &str) = "needs {effort} throughout";
         asks_at_worst(effort: &str, place: &str, rms: &str) =
             "needs {effort} at {place}, the worst instant; {rms} RMS";
-        asks_too_much(effort: &str) = "needs more than any motor has: no largest {effort} and no RMS exist";
+        asks_too_much(effort: &str) = "needs a {effort} without bound: its maximum and its RMS do not exist";
         on_the_way_back(place: &str) = "{place} on the way back";
         back_at(place: &str) = "{place} back";
         places_of(places: &[String], unit: &str) = {
@@ -74,7 +74,7 @@ catalogue! {
         enough_with_flywheel = "enough, with the flywheel";
         enough_but_the_flywheel = "enough, but the flywheel is too small";
         not_enough = "not enough";
-        not_judged(effort: &str) = "not judged: no largest {effort} exists";
+        not_judged(effort: &str) = "not compared: the maximum {effort} does not exist";
         rated_for_rms = "rated for RMS";
         peak = "peak";
         speed = "speed";

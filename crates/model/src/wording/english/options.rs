@@ -66,7 +66,7 @@ catalogue! {
         scale_on_paper = "The print scale of an SVG, such as 1:2 [default: sized for a screen]";
         scale_is_meant(most: f64) = "expected a scale such as 1:2 or 5:1, between 1:{most} and {most}:1";
         width_in_pixels = "Width in pixels of a PNG or GIF [default: 1600, or 800 for GIF]";
-        on_a_dark_ground = "A dark background for SVG, PNG or GIF, whatever the reader prefers";
+        on_a_dark_ground = "A dark background for SVG, PNG or GIF, also for readers with light screens";
         seconds_of_turn = "Seconds of a turn in a cast or GIF, or of the way there and back [default: 6]";
         how_to_write = "The output format";
         columns_of_cycle =

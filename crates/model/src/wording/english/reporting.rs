@@ -84,7 +84,7 @@ selects the format; any other needs --format as well.";
             "The values of {file} and of krank; `agrees` where the given digits show no difference.";
         beside_course(file: &str, rows: usize) =
             "The columns of {file} compared with krank's, over {rows} rows. Each line has the root mean square \
-             of the differences, and the largest difference with its place and its ratio to the largest value. \
+             of the differences, and the largest difference with its position and its ratio to the largest value. \
              The last number counts the rows with a difference beyond rounding.";
         foreign_difference = "difference";
         part_of_it = "ratio";

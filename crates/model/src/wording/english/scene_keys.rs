@@ -68,7 +68,7 @@ catalogue! {
             "further points in the link's frame: `{ P = [150, 80] }`, or by length and angle `{ P = { from = \
              \"D\", length = 170, angle = 28 } }`; only these for a link without two natural ends";
         centre_in_link_frame = "centre of mass in the link's frame, `[x, y]` or by length and angle";
-        point_that_sees = "the point of the link from which a place is measured";
+        point_that_sees = "the point of the link from which a position is measured";
         origin_by_default = "the origin of the link's frame";
         distance_of_place = "its distance";
         direction_of_place = "its direction in deg, from the link's x axis";
@@ -121,7 +121,7 @@ catalogue! {
         exact_by_default = "exact";
         clearance_of_pins =
             "largest distance of each pin from the centre of its hole: half of its play in diameter";
-        tolerance_of_link = "tolerance of its length and of the places of its points";
+        tolerance_of_link = "tolerance of its length and of the positions of its points";
         tolerance_of_guide = "tolerance of the coordinates of `through`";
         tolerance_of_scene = "that of the scene";
         tolerance_of_link_or_scene = "that of the link or the scene";

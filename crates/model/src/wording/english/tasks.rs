@@ -115,7 +115,7 @@ catalogue! {
             "all poses are rotations about one point, ({x}, {y}): a pivot there guides the body, and no linkage \
              does";
         poses_only_shift =
-            "the body does not rotate, and its places lie on no circle on which equal links could guide it";
+            "the body does not rotate, and no circle on which equal links could guide it contains its positions";
         given_leads_nowhere = "no link or slide fits the given values in all poses";
         no_pair_of_dyads = "no two of the links and slides through these poses form such a linkage";
         dyads_out_of_reach =
@@ -154,7 +154,7 @@ catalogue! {
             }
         };
         solved_with_goals(vary: &str) = "  krank solve SCENE --vary {vary} \\";
-        kept_by_goals = "With other numbers it does its task only if goals require it:";
+        kept_by_goals = "To change numbers and keep the task, use these goals:";
 
         // The list of results.
         linkages = "linkages";
@@ -175,8 +175,8 @@ catalogue! {
             "pivot at {pivot}, pin at {pin}, link {link} {unit}";
         pin_on_slide(angle: &str, pin: &str, unit: &str) = "slide at {angle} deg, pin at {pin} {unit}";
         dyad_picked(dyad: &str) = "with the {dyad}";
-        pick_the_second = "Enter selects it; two of them make a linkage.";
-        dyads_make_nothing = "These two make no linkage.";
+        pick_the_second = "Enter selects it; two of them form a linkage.";
+        dyads_make_nothing = "These two do not form a linkage.";
         transmission_on_the_way(angle: &str) = "transmission {angle} deg";
         dotted_curves = "Dotted: possible pivots, and their pins in the first pose.";
         walk = "walk";

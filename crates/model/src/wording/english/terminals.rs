@@ -51,6 +51,6 @@ catalogue! {
         pictures_behind_multiplexer = "multiplexers support at most sixels: use --picture sixel";
         pictures_unknown(term: &str) = "not known from TERM={term}: use --picture kitty, iterm or sixel";
         row_pictures = "pictures";
-        promises_no_more(what: &str) = "{what} guarantees no more";
+        promises_no_more(what: &str) = "{what} does not imply more";
     }
 }

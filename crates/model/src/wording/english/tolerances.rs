@@ -75,8 +75,8 @@ catalogue! {
         is_of_the_frame = "of the frame";
         give_ground_points_tolerances = "set the tolerances of its ground points in [tolerances]";
         guide_has_no_tolerance(of: &str) =
-            "{of} runs through a named point: it has no coordinates that could be off";
-        nothing_to_be_off = "nothing can be off";
+            "{of} runs through a named point: it has no coordinates that could deviate";
+        nothing_to_be_off = "nothing can deviate";
         give_point_of_guide_tolerance = "set the tolerance of that point in [tolerances]";
         point_has_no_coordinates(what: &str) =
             "{what}: only links end there, and it has no coordinates of its own";
@@ -97,8 +97,8 @@ catalogue! {
         joins_nothing = "no pin";
         pins_join = "a pin joins two links, or a link and the ground or a slot";
         over_the_whole_motion = "over the whole motion";
-        whole_has_no_place = "values of the whole motion have no place: remove --at, --from, --to and --step";
+        whole_has_no_place = "values of the whole motion have no coordinate: remove --at, --from, --to and --step";
         beside_whole_say_where(name: &str) =
-            "{name} is listed with values of the whole motion: give its place with --at, or as {name}@60";
+            "{name} is listed with values of the whole motion: give its coordinate with --at, or as {name}@60";
     }
 }

@@ -28,13 +28,13 @@ catalogue! {
         vector_polygons = "Vector polygons";
         loop_is(number: usize, what: &str) = "Loop {number}: {what}";
         solved_by_group(walk: &str, group: usize) = "{walk} (group {group})";
-        tells_further_vector(walk: &str) = "{walk} (gives a further vector)";
+        tells_further_vector(walk: &str) = "{walk} (determines a further vector)";
         no_closed_loop = "There is no closed loop: the driver alone determines all positions.";
         vector_on(vector: &str, tail: &str, head: &str, body: &str) =
             "{vector} from {tail} to {head} on {body}";
         the_ground = "the ground";
-        beside_vectors_of_scene(vectors: &str) = "Beside the scene's vectors: {vectors}.";
-        in_no_loop(vectors: &str) = "In no loop: {vectors}.";
+        beside_vectors_of_scene(vectors: &str) = "In addition to the scene's vectors: {vectors}.";
+        in_no_loop(vectors: &str) = "Not part of a loop: {vectors}.";
         position_table = "Position table";
         column_ends = "from, to";
         column_is(symbol: &str) = "{symbol} is";
@@ -172,7 +172,7 @@ catalogue! {
              perpendicular to its velocity, at {direction} deg and in the opposite direction.";
         link_is_at_rest(link: &str) = "{link} is at rest at this instant: every point of it is a centre.";
         centre_is_blurred(link: &str, digits: usize) =
-            "{link} hardly turns, and its centre is far away: {digits} digits of it are known:";
+            "{link} hardly turns, and its centre is far away; {digits} of its digits are known:";
         at_infinity = "at infinity";
 
         // The check.

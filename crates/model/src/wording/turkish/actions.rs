@@ -201,7 +201,7 @@ catalogue! {
         mouse = "fare";
         take_the_mouse_or_not = "fareyi aç/kapat";
         mouse_on = "fare açık: krankı çevirir, gösterir; Shift metin seçer";
-        mouse_off = "fare kapalı: terminalde";
+        mouse_off = "fare kapalı: terminal kullanır";
         language = "dil";
         turkish_or_english = "Türkçe ya da İngilizce";
         help = "yardım";

@@ -33,7 +33,7 @@ catalogue! {
         cycle_leaves_motion_out =
             "hızlar ve süreler bu sabit hızdaki tahrik içindir, zamana göre hareketi için değil";
         nothing_to_follow =
-            "izlenecek kızak, sarkaç ya da tanımlı büyüklük yok: --columns ile sütun adı verin";
+            "sahnede izlenecek kızak, sarkaç ya da [figures] yok: --columns ile sütun adı verin";
         label_stroke = "strok";
         label_swing = "salınım";
         label_turns = "dönüşler";

@@ -126,7 +126,7 @@ catalogue! {
         // Singular positions.
         opens_singular(parts: &str) =
             "sahne bir değişim ya da ölü konumda açılıyor: {parts} orada konumu belirlemiyor";
-        never_determine(parts: &str) = "{parts}: tahrikin hiçbir konumunda konumu belirlemiyor";
+        never_determine(parts: &str) = "{parts}: tahrik nerede olursa olsun bir konum belirlemiyor";
         leave_a_motion_free = "bunlar birlikte serbest bir harekete izin veriyor";
         open_elsewhere_in_motion = "sahneyi tahrikin başka bir `angle` ya da `position` değerinde açın";
         join_in_another_way = "bu hiçbir boyutla düzelmez: bu parçaları başka biçimde bağlayın";

@@ -10,10 +10,10 @@ catalogue! {
             "{at} konumundaki kuvvetler gösterilmiyor: {residual} {missed}, ama yuvarlama en çok {most} \
              açıklar; iki yöntem uyuşmuyor, bu sahnenin değil krank'ın hatası: lütfen bildirin";
         forces_too_large(at: &str) =
-            "{at} konumundaki kuvvetler gösterilmiyor: bazıları bir sayıya sığmayacak kadar büyük; olağan \
-             hızlar, kütleler ve yükler seçin";
+            "{at} konumundaki kuvvetler gösterilmiyor: bazıları bir double değerine sığmıyor; daha küçük \
+             hızlar, kütleler ve yükler kullanın";
         figure_too_large(figure: &str, at: &str) =
-            "{figure}, {at} konumunda bir sayıya sığmayacak kadar büyük; olağan boylar ve hızlar seçin";
+            "{figure}, {at} konumunda bir double değerine sığmıyor; daha küçük boylar ve hızlar kullanın";
 
         // Tables.
         vector = "vektör";

@@ -68,7 +68,7 @@ catalogue! {
         divided_by_nothing(by: &str) = "`{by}` 0: sıfıra bölme";
         no_parameter(name: &str) = "bilinmeyen parametre `{name}`";
         parameters_are(names: &str) = "parametreler: {names}";
-        scene_has_no_parameters = "adlı sayıları `[parameters]` içinde tanımla: `a = 100`";
+        scene_has_no_parameters = "adlı sayıları `[parameters]` içinde tanımlayın: `a = 100`";
         units_stand_alone =
             "yalnız aynı birimdeki değerleri toplayın; birimi yalnız birimsiz sayılarla çarpın";
         units_multiplied(formula: &str) = "`{formula}` bir birimi bir birimle çarpıyor";
@@ -79,7 +79,7 @@ catalogue! {
         parameters_in_a_circle(name: &str, circle: &str) = "{name} parametresi kendine bağlı: {circle}";
         follows_from_itself = "kendine bağlı";
         give_one_a_number = "birine bir sayı verin";
-        parameter_reads_as_number(name: &str) = "{name} adı bir sayı gibi okunuyor";
+        parameter_reads_as_number(name: &str) = "{name} adı bir sayı olarak okunabilir";
         begin_it_with_a_letter = "bir harfle başlatın";
         formulas_read_a_unit(name: &str) =
             "formüllerde `{name}` bir birimdir: başka bir ad seçin, örneğin `{name}1`";

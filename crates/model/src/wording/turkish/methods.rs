@@ -131,9 +131,9 @@ catalogue! {
              olduğu yan ikiye bölünür.";
         halved_until(finest: &str) = "Aralık en çok {finest} olana ya da ortasında f = 0 olana dek ikiye bölünür:";
         root_at_an_end(end: &str) =
-            "{end} ucu kökün kendisidir; f orada 0'a yalnız değer, ikiye bölünecek bir şey yoktur.";
+            "{end} ucu kökün kendisidir; f orada 0'a yalnız değer, bu yüzden ikiye bölme olanaksızdır.";
         no_change_of_sign =
-            "f iki uçta aynı işaretlidir: arada ya kök yoktur ya da iki kök vardır, ikiye bölünecek bir şey yoktur.";
+            "f iki uçta aynı işaretlidir: aralıkta ya kök yoktur ya da iki kök vardır, bu yüzden ikiye bölme olanaksızdır.";
         middle_of_interval = "orta";
         halved(count: usize) = "{count} bölmeden sonra:";
         holds_the_assembly(from: &str, to: &str) =
@@ -181,7 +181,7 @@ catalogue! {
         as_solved = "hesaplanan";
         not_by_compass(unknowns: usize) =
             "Pergel ve cetvelle olmaz: {unknowns} bağlaşık bilinmeyen vardır, hiçbir nokta bilinen iki çizginin \
-             üzerinde değildir. Son boy uyana dek konum denemek gerekirdi.";
+             üzerinde değildir. Elle tek yol, son boy uyana dek konum denemektir.";
 
         // Guesses.
         guess_is_written =

@@ -16,7 +16,7 @@ catalogue! {
         driver_asks(course: &str, driver: &str, asked: &str) = "{course}, {driver} {asked}";
         asks_throughout(effort: &str) = "her yerde {effort} ister";
         asks_at_worst(effort: &str, place: &str, rms: &str) = "{effort} ister, en kötü an {place}; {rms} RMS";
-        asks_too_much(effort: &str) = "hiçbir motorun veremeyeceğini ister: en büyük {effort} ve RMS yok";
+        asks_too_much(effort: &str) = "sınırsız {effort} gerektirir: en büyük değeri ve RMS değeri yok";
         on_the_way_back(place: &str) = "{place} dönüşte";
         back_at(place: &str) = "{place} dönüşte";
         places_of(places: &[String], unit: &str) = {

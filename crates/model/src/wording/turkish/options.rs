@@ -66,7 +66,7 @@ catalogue! {
         scale_on_paper = "SVG'nin basılacağı ölçek, 1:2 gibi [yoksa: ekrana uygun büyüklük]";
         scale_is_meant(most: f64) = "ölçek 1:2 ya da 5:1 gibi, 1:{most} ile {most}:1 arasında yazılır";
         width_in_pixels = "PNG ya da GIF için piksel olarak genişlik [yoksa: 1600, GIF için 800]";
-        on_a_dark_ground = "SVG, PNG ya da GIF için koyu zemin, okuyanın ayarı ne olursa olsun";
+        on_a_dark_ground = "SVG, PNG ya da GIF için koyu zemin, açık ekranlı okuyucular için de";
         seconds_of_turn = "cast ya da GIF içinde bir turun ya da gidiş dönüşün saniyesi [yoksa: 6]";
         how_to_write = "Çıktı biçimi";
         columns_of_cycle =

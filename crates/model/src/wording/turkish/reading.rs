@@ -81,7 +81,7 @@ catalogue! {
         decimals_have_a_point(number: &str) = "ondalıkları noktayla yazın: {number}";
         write_key_and_value = "anahtar = değer yazın";
         quote_texts_and_names = "metinleri ve adları tırnak içinde yazın: \"A\"";
-        separate_by_commas = "bir listenin değerlerini virgülle ayır: [0, 0]";
+        separate_by_commas = "bir listenin değerlerini virgülle ayırın: [0, 0]";
         quote_with_unit(number: &str, unit: &str) = "birimli sayıyı tırnak içinde yazın: \"{number} {unit}\"";
         angle_alone(number: &str) = "açılar derecedir: yalnız sayıyı yazın: {number}";
         number_alone_or_unit(number: &str) =

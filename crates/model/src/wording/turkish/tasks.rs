@@ -145,7 +145,7 @@ catalogue! {
             }
         };
         solved_with_goals(vary: &str) = "  krank solve SAHNE --vary {vary} \\";
-        kept_by_goals = "Başka sayılarla görevini ancak hedefler bunu isterse yapar:";
+        kept_by_goals = "Sayıları değiştirip görevi korumak için şu hedefleri kullanın:";
 
         // The list of results.
         linkages = "mekanizmalar";

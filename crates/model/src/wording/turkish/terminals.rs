@@ -51,6 +51,6 @@ catalogue! {
         pictures_behind_multiplexer = "çoklayıcılar en çok sixel destekler: --picture sixel kullanın";
         pictures_unknown(term: &str) = "TERM={term} ile bilinmiyor: --picture kitty, iterm ya da sixel kullanın";
         row_pictures = "resimler";
-        promises_no_more(what: &str) = "{what} daha fazlasını garanti etmiyor";
+        promises_no_more(what: &str) = "{what} daha fazlasını göstermiyor";
     }
 }

@@ -82,7 +82,7 @@ catalogue! {
         no_deviation_of_size(class: &str, what: &str, size: f64, sizes: &str) =
             "{class} sınıfında {size} mm için değer yok ({what}): {sizes} geçerli";
         sizes_from_to(low: f64, high: f64) = "{low} ile {high} mm arasında";
-        sizes_over_to(low: f64, high: f64) = "{low} mm üstünde, {high} mm dahil ona kadar";
+        sizes_over_to(low: f64, high: f64) = "{low} mm'den büyük, en çok {high} mm";
         of_this_length = "bu boy için";
         by_this_class = "bu sınıfla";
         give_it_its_own_tolerance = "ona kendi toleransını verin";
@@ -94,8 +94,8 @@ catalogue! {
         pins_join = "bir pim iki uzvu, ya da bir uzvu şaseyle veya bir yarıkla birleştirir";
         over_the_whole_motion = "bütün hareket boyunca";
         whole_has_no_place =
-            "bütün hareketin değerlerinin yeri yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
+            "bütün hareketin değerlerinin koordinatı yoktur: --at, --from, --to ve --step seçeneklerini çıkarın";
         beside_whole_say_where(name: &str) =
-            "{name} bütün hareketin değerleriyle birlikte: yerini --at ile verin ya da {name}@60 yazın";
+            "{name} bütün hareketin değerleriyle birlikte: koordinatını --at ile verin ya da {name}@60 yazın";
     }
 }
