@@ -103,9 +103,18 @@ fn unknown_word_is_searched_in_all_topics() {
         lines[4].starts_with("compare two scenes?") && lines[4].contains("`D`"),
         "{found}"
     );
-    let found = done(&["help", "drawing"]);
-    let first = found.lines().nth(4).unwrap();
-    assert!(first.starts_with("write a drawing"), "{found}");
+    // The obvious words of a newcomer's tasks find the question.
+    for (word, question) in [
+        ("drawing", "save a picture, a drawing"),
+        ("save picture", "save a picture"),
+        ("change length", "change a length"),
+        ("dead points", "find the range, dead points"),
+        ("own scene", "write my own scene"),
+    ] {
+        let found = done(&["help", word]);
+        let first = found.lines().nth(4).unwrap();
+        assert!(first.starts_with(question), "{word}: {found}");
+    }
     let near = done(&["help", "column"]);
     assert!(near.contains("did you mean `columns`?"), "{near}");
     for word in [" ", "ensitivity"] {

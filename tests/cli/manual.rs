@@ -4,6 +4,7 @@ use super::language::spoken;
 use super::readme::QUICK;
 use super::synthesize::arguments;
 use super::{command, done, folder, run};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -106,6 +107,79 @@ fn every_command_of_the_manual_runs() {
     }
     let in_pixels = if cfg!(feature = "pictures") { 2 } else { 0 };
     assert_eq!(ran, 56 + in_pixels);
+}
+
+/// Commands in sentences that open the workbench, lack an argument, or have a test of their own because they need the
+/// files of the chapter or much time.
+const NOT_RUN: [&str; 14] = [
+    // The workbench.
+    "my.toml",
+    "my-press.toml",
+    "four-bar",
+    "slider-crank",
+    "press",
+    "six-bar.toml",
+    "synthesize wiper --view",
+    "--language tr",
+    // An argument is left out.
+    "sweep --measured",
+    // The tutorial and the exercises.
+    "check six-bar.toml",
+    "cycle six-bar.toml --columns output.angle",
+    "draw six-bar.toml --traces E",
+    "grade class *.csv",
+    // Slow.
+    SLOW,
+];
+
+/// Commands in sentences are run, except those that are listed. A name alone must be that of a command.
+#[test]
+fn every_command_in_a_sentence_runs() {
+    let help = done(&["--help"]);
+    // `krank --help` does not list every command.
+    let is_command = |word: &str| QUICK.contains(&word) || help.contains(&format!("\n  {word} "));
+    let readme = include_str!("../../README.md").to_owned();
+    let mut chapters = chapters("english");
+    chapters.push(("README.md".to_owned(), readme));
+    let (mut ran, mut left) = (0, BTreeSet::new());
+    for (name, text) in chapters {
+        // Fences are longer than the marks of a span.
+        let prose: String = text.split("```").step_by(2).collect();
+        let here = prepared(&format!("sentences-{name}"));
+        let one_line = prose.split_whitespace().collect::<Vec<_>>().join(" ");
+        let spans = one_line.split('`').skip(1).step_by(2);
+        for shown in spans.filter_map(|span| span.strip_prefix("krank ")) {
+            if let Some(listed) = NOT_RUN.iter().find(|listed| **listed == shown) {
+                left.insert(*listed);
+                continue;
+            }
+            let words = arguments(shown);
+            if words.len() == 1 && !words[0].starts_with('-') && words[0] != "list" {
+                assert!(is_command(words[0]), "{name}: krank {shown}");
+                continue;
+            }
+            // Other tests run these.
+            let is_generic = ["SCENE", "TASK"].iter().any(|word| shown.contains(word));
+            let is_listed = name == "commands.md" && QUICK.contains(&words[0]);
+            if is_generic || is_listed || words[0] == "help" {
+                continue;
+            }
+            // A sentence may leave the scene out.
+            let mut words = words;
+            if is_command(words[0]) && words.get(1).is_some_and(|word| word.starts_with('-')) {
+                words.insert(1, "four-bar");
+            }
+            let heard = run(command(&words).current_dir(&here));
+            assert_eq!(
+                (heard.code, heard.err.as_str()),
+                (0, ""),
+                "{name}: krank {shown}"
+            );
+            ran += 1;
+        }
+    }
+    assert_eq!(left, NOT_RUN.iter().copied().collect());
+    assert!(ran > 5, "{ran}");
 }
 
 const GROUND: (&str, &str) = ("[ground]", "A = [0, 0]\nD = [400, 0]");

@@ -66,6 +66,14 @@ fn manual_screens_match_program() {
     methods_are_told(VIEWS, "error over time", &screen);
 }
 
+/// The chapters show one screen of each view but the first, which the README shows; other tests compare the screens of
+/// the forces and of the motor.
+#[test]
+fn no_screen_is_left_out_of_the_comparison() {
+    let screens = |text: &str| text.matches("```txt\n").count();
+    assert_eq!([README, VIEWS, GORUNUMLER].map(screens), [1, 8, 8]);
+}
+
 /// Asserts that the text has exactly one screen of the accuracy view, and that `screen` contains
 /// all its methods.
 fn methods_are_told(text: &str, title: &str, screen: &str) {
