@@ -1,9 +1,9 @@
 //! Change points of parallelograms driven by elements other than their own crank.
 
 use crate::rig::point;
-use krank::Vec2;
 use krank::scene::Scene;
 use krank::solver::{Condition, Order, Range, Solver};
+use krank::{Vec2, angle};
 
 const PUSHED_PIN: &str = include_str!("scenes/pushed_pin.toml");
 const PUSHED_CRANK: &str = include_str!("scenes/pushed_crank.toml");
@@ -123,5 +123,89 @@ fn coupled_group_with_tiny_range_is_solved_without_history() {
             work.state().direction(link),
             "{at}"
         );
+    }
+}
+
+/// The table turns the crank relative to its frame. It begins at rest, a small angle before the
+/// change point at 0.
+#[test]
+fn change_point_beside_rest_of_table_is_passed() {
+    for before in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let text = format!(
+            "unit = \"mm\"
+            [ground]
+            O = [0, -50]
+            [driver]
+            link = \"k\"
+            angle = 100
+            [inputs]
+            r2 = {{ from = \"k\", over = [[0, -{before:.12}], [200, 160]] }}
+            [links]
+            k = {{ points = {{ O = [0, -50], A = [0, 0], D = [30, 0] }} }}
+            r2 = {{ from = \"A\", to = \"B\", length = 10 }}
+            r3 = {{ from = \"B\", to = \"C\", length = 30 }}
+            r4 = {{ from = \"D\", to = \"C\", length = 10 }}
+            [start]
+            B = [-59.2, -58.7]
+            C = [-64.5, -29.1]"
+        );
+        let (scene, solver) = open(&text);
+        // The table is a cubic: 3 s^2 - 2 s^3 of its travel at the part s of its length.
+        let part = before / (160.0 + before);
+        let s = (0..9).fold(0.0_f64, |s, _| ((part + 2.0 * s.powi(3)) / 3.0).sqrt());
+        assert_places(&solver, Some([0.0, 200.0]), &[200.0 * s]);
+        let [b, c] = ["B", "C"].map(|name| point(&scene, name));
+        let mut work = solver.state();
+        let inside = [0.0, 0.5, 1.0, 2.0, 10.0].map(|part| 200.0 * s * part);
+        for at in inside.into_iter().chain([1.0, 50.0, 199.0]) {
+            let condition = solver.solve(at, Order::Position, &mut work);
+            assert_ne!(condition, Condition::NoAssembly, "at {at}");
+            let [b, c] = [b, c].map(|p| work.state().position(p).unwrap());
+            let off = (c - b - angle::unit(at) * 30.0).norm();
+            assert!(off < 1e-8, "at {at} C is off by {off:e}");
+        }
+    }
+}
+
+/// A crank-rocker in front reverses a small angle beyond the change point at 0, so that it passes
+/// it twice, or just before it.
+#[test]
+fn change_points_beside_reversal_of_linkage_in_front_are_both_passed() {
+    let opened = |rod: &str| {
+        let text = format!(
+            "unit = \"mm\"
+            [ground]
+            A = [0, 0]
+            D = [30, 0]
+            O = [10, 20]
+            [driver]
+            link = \"k\"
+            angle = 100
+            [links]
+            k = {{ from = \"O\", to = \"F\", length = 3 }}
+            rod = {{ from = \"F\", to = \"B\", length = {rod} }}
+            r2 = {{ from = \"A\", to = \"B\", length = 10 }}
+            r3 = {{ from = \"B\", to = \"C\", length = 30 }}
+            r4 = {{ from = \"D\", to = \"C\", length = 10 }}
+            [start]
+            F = [9.5, 23]
+            B = [8, 6]
+            C = [38, 6]"
+        );
+        let (scene, solver) = open(&text);
+        assert_translates(&scene, &solver, Vec2::new(30.0, 0.0));
+        solver
+    };
+    for longer in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let solver = opened(&format!("{:.12}", 17.0 + longer));
+        // B is 20 from O at the change point; crank and rod are in line at the reversal.
+        let square: f64 = longer * (34.0 + longer) / 240.0;
+        let off = (2.0 * square.sqrt().asin()).to_degrees();
+        assert_places(&solver, None, &[270.0 - off, 270.0 + off]);
+    }
+    for shorter in [1e-6, 1e-9, 1e-12] {
+        let solver = opened(&format!("{:.12}", 17.0 - shorter));
+        assert_places(&solver, None, &[]);
+        assert!(!solver.motion().near_misses.is_empty());
     }
 }

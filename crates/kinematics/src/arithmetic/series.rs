@@ -82,6 +82,47 @@ impl Series {
         Series { c, known }
     }
 
+    /// Divides by the polynomial t^N + lower\[N - 1\] t^(N - 1) + ... + lower\[0\], whose lower
+    /// coefficients are small. Returns the quotient and the coefficients of the remainder.
+    pub(crate) fn divided<const N: usize>(self, lower: [Double; N]) -> (Series, [Double; N]) {
+        let mut rest = self.c;
+        let mut quotient = Series {
+            known: self.known.saturating_sub(N),
+            ..Series::default()
+        };
+        for n in (0..quotient.known).rev() {
+            let leading = rest[n + N];
+            quotient.c[n] = leading;
+            for (k, &of) in lower.iter().enumerate() {
+                rest[n + k] += -(leading * of);
+            }
+        }
+        let mut remainder = [Double::ZERO; N];
+        remainder.copy_from_slice(&rest[..N]);
+        (quotient, remainder)
+    }
+
+    /// Multiplies by the polynomial of [`Series::divided`].
+    pub(crate) fn multiplied<const N: usize>(self, lower: [Double; N]) -> Series {
+        let mut product = self.raised(N);
+        for n in 0..self.known {
+            for (k, &of) in lower.iter().enumerate() {
+                if n + k < TERMS {
+                    product.c[n + k] += self.c[n] * of;
+                }
+            }
+        }
+        product
+    }
+
+    /// Returns the derivative by t.
+    pub(crate) fn derivative(self) -> Series {
+        let lowered = self.lowered(1);
+        Series::by(lowered.known, |n, _| {
+            lowered.c[n] * Double::exactly((n + 1) as f64)
+        })
+    }
+
     /// Creates the series whose n-th coefficient is `next(n, previous)`.
     fn by(known: usize, mut next: impl FnMut(usize, &[Double]) -> Double) -> Series {
         let mut c = [Double::ZERO; TERMS];
@@ -211,14 +252,8 @@ impl Number for Series {
     /// Integrates the angle's rate, (x y' - y x') / (x^2 + y^2).
     fn degrees(direction: Vec2<Series>) -> Series {
         let Vec2 { x, y } = direction;
-        let rate = |s: Series| {
-            let lowered = s.lowered(1);
-            Series::by(lowered.known, |n, _| {
-                lowered.c[n] * Double::exactly((n + 1) as f64)
-            })
-        };
-        let rate =
-            (x * rate(y) - y * rate(x)) / direction.norm2() * Series::constant(Double::DEGREES);
+        let rate = (x * y.derivative() - y * x.derivative()) / direction.norm2()
+            * Series::constant(Double::DEGREES);
         let grown = Series::by(rate.known, |n, _| {
             rate.c[n] / Double::exactly((n + 1) as f64)
         });
@@ -259,6 +294,20 @@ mod tests {
         assert_eq!(square.known, TERMS - 1);
         assert_eq!((square + Series::exactly(1.0)).known, TERMS - 1);
         assert_eq!(square.raised(1).known, TERMS);
+    }
+
+    #[test]
+    fn division_by_a_polynomial_is_undone_by_multiplication() {
+        let lower = [1e-4, -3e-2].map(Double::exactly);
+        let t = Series::line(Double::ZERO, Double::ONE).cut(12);
+        let root = (Series::exactly(1.0) + t).sqrt();
+        let (quotient, remainder) = root.multiplied(lower).divided(lower);
+        assert_near(quotient, &[1.0, 0.5, -0.125, 0.0625, -0.039_062_5]);
+        assert!(remainder.iter().all(|r| r.hi.abs() < 1e-30));
+        // t^2 = (t^2 - 0.03 t + 0.0001) + 0.03 t - 0.0001
+        let (quotient, remainder) = (t * t).divided(lower);
+        assert_near(quotient, &[1.0, 0.0]);
+        assert_eq!(remainder.map(|r| r.hi), [-1e-4, 3e-2]);
     }
 
     #[test]

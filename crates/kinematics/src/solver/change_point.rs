@@ -39,12 +39,17 @@ pub(super) struct Passage {
     pub group: usize,
     /// Whether the group's sign changes there.
     pub turns: bool,
-    /// Whether a redundant constraint leads the group through. In this case, nothing branches
-    /// there.
+    /// Whether nothing branches there: a redundant constraint leads the group through, or the group
+    /// only just misses a change point.
     pub is_led: bool,
-    /// The maximum distance from `at` at which the series replaces the group's equations, in
+    /// The maximum distance from the centre of the series at which the series replaces the group's equations, in
     /// radians or scaled lengths.
     pub zone: f64,
+    /// The distance of the change point from the centre of the series, in radians or scaled
+    /// lengths. It is not 0 for one of two change points that share a series.
+    pub off_centre: f64,
+    /// The sign of the distances from the centre at which the series holds, or 0 for both.
+    pub side: f64,
     points: Vec<(PointId, Taylor)>,
     links: Vec<(LinkId, Taylor)>,
 }
@@ -172,7 +177,7 @@ impl Passages {
         let away = self
             .of_group(group)
             .map(|p| (p, self.away(engine, p, here)));
-        away.filter(|(p, dq)| dq.abs() < p.zone)
+        away.filter(|(p, dq)| p.holds(*dq))
             .min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()))
     }
 
@@ -180,7 +185,7 @@ impl Passages {
     pub(super) fn is_near(&self, engine: &Engine, at: f64) -> bool {
         let here = reduced(at, self.period);
         let mut passages = self.list.iter();
-        passages.any(|p| self.away(engine, p, here).abs() < p.zone)
+        passages.any(|p| p.holds(self.away(engine, p, here)))
     }
 
     /// Returns the signed distance from a crossing to a coordinate, across the end of the period if
@@ -227,6 +232,24 @@ fn told(series: &[Vec2], dq: f64) -> [Vec2; 3] {
 }
 
 impl Passage {
+    /// Returns `true` if the series holds at a distance from the change point.
+    fn holds(&self, dq: f64) -> bool {
+        let away = dq + self.off_centre;
+        away.abs() < self.zone && away * self.side >= 0.0
+    }
+
+    /// Returns the crossing by the same series of a change point at a distance from its centre,
+    /// with the other sign beyond it.
+    pub(super) fn turning_at(&self, at: Double, off_centre: f64) -> Passage {
+        Passage {
+            at: at.hi,
+            rest: at.lo,
+            turns: true,
+            off_centre,
+            ..self.clone()
+        }
+    }
+
     /// Stores the motion of a group's points and links from a state in series about `at`. Returns
     /// `None` if too few coefficients are known.
     pub(super) fn new(
@@ -263,6 +286,8 @@ impl Passage {
             turns,
             is_led: false,
             zone,
+            off_centre: 0.0,
+            side: 0.0,
             points,
             links,
         })
@@ -270,6 +295,7 @@ impl Passage {
 
     /// Writes the states of the group's points and links at a distance from the change point.
     pub(super) fn write(&self, dq: f64, state: &mut State) {
+        let dq = dq + self.off_centre;
         for (point, series) in &self.points {
             let [p, v, a] = told(series, dq);
             state.points[point.index()] = PointState { p, v, a };

@@ -327,22 +327,43 @@ impl Engine {
 
     /// Returns how far around a coordinate every input is a single smooth function of it, so that a
     /// series can represent it: in radians or scaled lengths.
+    ///
+    /// At an end of an open table, only the side inside the table counts.
     pub(super) fn smooth(&self, at: f64) -> f64 {
         let (q, unit) = match self.turns {
             true => (at, 1_f64.to_radians()),
             false => (at / self.frame.scale, 1.0),
         };
-        let tables = self.tables.iter().map(|table| table.smooth(q) * unit);
+        let is_end = self.inwards(at) != 0.0;
+        let tables = self
+            .tables
+            .iter()
+            .map(|table| table.smooth(q, is_end) * unit);
         tables.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns the direction into an open table that begins or ends at a coordinate: 1 or -1.
+    /// Returns 0 at other coordinates.
+    pub(super) fn inwards(&self, at: f64) -> f64 {
+        let sides = [1.0, -1.0].into_iter().cycle();
+        let mut ends = self.table_ends().zip(sides);
+        ends.find(|&(end, _)| end == at)
+            .map_or(0.0, |(_, side)| side)
+    }
+
+    /// Returns where the open tables begin and end, in turn.
+    pub(super) fn table_ends(&self) -> impl Iterator<Item = f64> {
+        let unit = if self.turns { 1.0 } else { self.frame.scale };
+        let ends = self.tables.iter().filter_map(Following::open_ends);
+        ends.flatten().map(move |end| end * unit)
     }
 
     /// Returns the first end of an open table strictly between two coordinates, counted from
     /// `from`.
     pub(super) fn table_end(&self, from: f64, to: f64) -> Option<f64> {
-        let unit = if self.turns { 1.0 } else { self.frame.scale };
-        let ends = self.tables.iter().filter_map(Following::open_ends);
-        let ends = ends.flatten().map(|end| end * unit);
-        let between = ends.filter(|end| (end - from) * (to - end) > 0.0);
+        let between = self
+            .table_ends()
+            .filter(|end| (end - from) * (to - end) > 0.0);
         between.min_by(|a, b| (a - from).abs().total_cmp(&(b - from).abs()))
     }
 

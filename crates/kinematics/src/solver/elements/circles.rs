@@ -289,6 +289,7 @@ impl TwoAssemblies for Circles {
             least,
             most,
             squares,
+            pair: snap.pair,
         }
     }
 

@@ -295,6 +295,7 @@ impl TwoAssemblies for Cylinder {
             least: (c - b) * (c - b),
             most: (c + b) * (c + b),
             squares: rho2 - c * c,
+            pair: snap.pair,
         }
     }
 

@@ -44,7 +44,7 @@ pub(super) use ride::Ride;
 pub(super) use slide_readout::SlideReadout;
 pub(super) use stretching::{FRAMES, RelativeMotion, Stretching, settled, sum};
 pub(super) use swing::Swing;
-pub(super) use through::{Height, Snap, ZERO, root};
+pub(super) use through::{Height, Pair, Snap, ZERO, root};
 pub(super) use timed::Timed;
 
 use super::coupled::Coupled;

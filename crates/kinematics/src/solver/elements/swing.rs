@@ -189,7 +189,7 @@ impl TwoAssemblies for Swing {
 
     fn run_through(&self, q: Series, snap: Snap, height: Series, state: &mut State<Series>) {
         let SeriesWay { w, e } = self.in_series(q, snap, TERMS, state);
-        let t = quotient(w.turned(Vec2::new(height, -e)), w, w.norm2());
+        let t = quotient(w.turned(Vec2::new(height, -e)), w, w.norm2(), snap.pair);
         self.place::<Series, POSITION>(t, height, state);
     }
 }

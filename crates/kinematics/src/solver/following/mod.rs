@@ -92,11 +92,11 @@ impl Following {
     }
 
     /// Returns the distance around a coordinate within which the law is a single function, in
-    /// degrees or scaled lengths.
-    pub(super) fn smooth(&self, q: f64) -> f64 {
+    /// degrees or scaled lengths. If the coordinate `is_end`, a knot there does not count.
+    pub(super) fn smooth(&self, q: f64, is_end: bool) -> f64 {
         match &self.law {
             FollowingLaw::Proportion(_) => f64::INFINITY,
-            FollowingLaw::Table(motion) => motion.table.smooth(q),
+            FollowingLaw::Table(motion) => motion.table.smooth(q, is_end),
         }
     }
 }

@@ -159,8 +159,8 @@ impl ReadyTable {
     }
 
     /// Returns the distance of the next knot from a place, in degrees or scaled lengths. Within it
-    /// the table is one cubic.
-    pub(super) fn smooth(&self, q: f64) -> f64 {
+    /// the table is one cubic. If the place `is_end`, a knot at this place does not count.
+    pub(super) fn smooth(&self, q: f64, is_end: bool) -> f64 {
         let q = self.within(q);
         let around = self.period.map_or([None, None], |period| {
             let [first, last] = [self.places[0].hi, self.places[self.cubics.len()].hi];
@@ -170,6 +170,7 @@ impl ReadyTable {
         let knots = knots.chain(around.into_iter().flatten());
         knots
             .map(|knot| (knot - q).abs())
+            .filter(|&away| !is_end || away > 0.0)
             .fold(f64::INFINITY, f64::min)
     }
 }

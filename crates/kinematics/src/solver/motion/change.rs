@@ -1,8 +1,7 @@
 //! Crosses the change points of dyads: finds the first dyad at an extreme of its reach, its exact
 //! coordinate, and the motion beyond it with all groups that are singular there.
 
-use super::NearMiss;
-use super::junction::{Junction, Standing};
+use super::junction::{Junction, PairFound, Standing};
 use super::walk::Walker;
 use crate::Double;
 use crate::numeric::root;
@@ -34,11 +33,58 @@ const EXTREMES: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
 /// Maximum measure, at a limit, of a dyad that ends the motion or has a change point there.
 const LARGE: f64 = 1e-3;
 
+/// Minimum distance of two close change points that can be passed one by one.
+const APART: f64 = 1e-4;
+/// Maximum difference between a change point of a pair and its coordinate as a single one.
+const SAME: f64 = 1e-12;
+/// Half width of the step across two close change points, in units of their distance from the
+/// middle.
+const ACROSS: f64 = 3.0;
+
 /// The next position at which a dyad reaches an extreme of its stretch.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct ReachExtreme {
     pub(super) step: usize,
     pub(super) at: Double,
+    /// The first change point on the way, if there are two close to each other about `at`.
+    pub(super) first: Option<f64>,
+    /// The last of them, if both can be passed one by one.
+    pub(super) last: Option<f64>,
+}
+
+impl ReachExtreme {
+    pub(super) fn single(step: usize, at: Double) -> ReachExtreme {
+        let (first, last) = (None, None);
+        ReachExtreme {
+            step,
+            at,
+            first,
+            last,
+        }
+    }
+
+    /// Returns the limit at which the walk stops.
+    pub(super) fn limit(&self) -> f64 {
+        self.first.unwrap_or(self.at.hi)
+    }
+}
+
+impl From<PairFound> for ReachExtreme {
+    fn from(found: PairFound) -> ReachExtreme {
+        let PairFound {
+            step,
+            centre: at,
+            first,
+            last,
+            spread,
+        } = found;
+        ReachExtreme {
+            step,
+            at,
+            first: Some(first),
+            last: (spread > APART).then_some(last),
+        }
+    }
 }
 
 /// A crossing of two solutions of a coupled group.
@@ -63,27 +109,56 @@ impl Walker<'_> {
     pub(super) fn pass(&mut self, limit: f64) -> Option<f64> {
         self.anchors.forget_beyond(self.engine, limit, self.sense);
         self.unproved.clear();
-        if let Some(extreme) = self.ahead.take().filter(|e| e.at.hi == limit) {
-            return self.pass_extreme(extreme.step, extreme.at);
+        if let Some(extreme) = self.ahead.take().filter(|e| e.limit() == limit) {
+            return self
+                .pass_extreme(&extreme)
+                .or_else(|| self.pass_singly(&extreme));
         }
-        let stretched = self.stretched(limit);
+        let flat = self.flat(limit);
+        let pair = flat.iter().find_map(|&step| self.pair_near(step, limit));
+        let pair = pair.filter(|pair| !self.is_passed(pair));
+        let beyond = pair.and_then(|pair| self.pass_extreme(&pair.into()));
+        if beyond.is_some() {
+            return beyond;
+        }
+        let stretched = self.stretched(flat, limit);
         if stretched.is_empty() {
             return self.cross(limit);
         }
         // Only dyads of the plan's first group are certain: later ones depend on its side.
-        stretched.into_iter().find_map(|(step, at)| {
+        let passed = stretched.into_iter().find_map(|(step, at)| {
             let at = self.exactly(step, at)?;
-            self.pass_extreme(step, at)
+            self.pass_extreme(&ReachExtreme::single(step, at))
+        });
+        // A coupled group may cross first, and with it a dyad behind it.
+        passed.or_else(|| self.has_path().then(|| self.cross(limit)).flatten())
+    }
+
+    /// Crosses the first of two close change points. Returns the coordinate reached.
+    fn pass_singly(&mut self, extreme: &ReachExtreme) -> Option<f64> {
+        let (first, last) = extreme.first.zip(extreme.last)?;
+        self.singly = Some(last);
+        let at = self.exactly(extreme.step, first)?;
+        let is_first = self.engine.difference(first, at.hi).abs() <= SAME;
+        is_first.then_some(())?;
+        self.pass_extreme(&ReachExtreme {
+            at,
+            first: None,
+            last: None,
+            ..*extreme
         })
     }
 
     /// Crosses a position at which a dyad's reach is extreme. Returns the coordinate reached.
-    fn pass_extreme(&mut self, step: usize, at: Double) -> Option<f64> {
+    fn pass_extreme(&mut self, extreme: &ReachExtreme) -> Option<f64> {
+        let &ReachExtreme {
+            step, at, first, ..
+        } = extreme;
         let junction = self.junction(at, None);
         let beyond = junction.and_then(|junction| self.pass_junction(&junction));
-        if beyond.is_none()
-            && let Some(Standing::Singular { .. }) = self.standing_at(step, at)
-        {
+        let mut is_singular =
+            || matches!(self.standing_at(step, at), Some(Standing::Singular { .. }));
+        if beyond.is_none() && (first.is_some() || is_singular()) {
             let group = self.engine.group_of(step);
             self.unproved.extend(group.map(GroupId::new));
         }
@@ -103,8 +178,7 @@ impl Walker<'_> {
     fn step_over(&mut self, junction: &Junction) -> Option<f64> {
         let beyond = approaches().find_map(|by| self.step_across(junction, by))?;
         for missed in &junction.missed {
-            let (group, sine, at) = (GroupId::new(missed.group), missed.sine, junction.at.hi);
-            self.misses.push(NearMiss { group, sine, at });
+            self.note_miss(missed.group, missed.sine, junction.at.hi);
         }
         self.seen.clear();
         self.note(beyond);
@@ -116,9 +190,13 @@ impl Walker<'_> {
     pub(super) fn pass_through(&mut self, junction: &Junction) -> Option<f64> {
         let passages = self.passages(junction)?;
         let known = self.passages.len();
-        self.passages.add(passages);
         let room = self.room_about(junction);
-        let mut closer = approaches().filter(|&by| by < room);
+        self.passages.add(passages);
+        let spread = ACROSS * junction.spread();
+        let mut closer = junction
+            .widths()
+            .chain(approaches())
+            .filter(|&by| spread <= by && by < room);
         let Some(beyond) = closer.find_map(|by| self.pass_at(junction, by)) else {
             self.passages.truncate(known);
             return None;
@@ -134,7 +212,10 @@ impl Walker<'_> {
             .map(|group| self.is_led(group, junction.at.hi))
             .collect();
         for (passage, is_led) in self.passages.latest(known).iter_mut().zip(led) {
-            passage.is_led = is_led;
+            passage.is_led |= is_led;
+        }
+        for missed in &junction.missed {
+            self.note_miss(missed.group, missed.sine, junction.at.hi);
         }
         self.seen.clear();
         self.note(beyond);
@@ -170,7 +251,12 @@ impl Walker<'_> {
         let engine = self.engine;
         let at = junction.at.hi;
         let before = engine.moved(at, -self.sense * by);
-        let beyond = engine.moved(at, self.sense * by);
+        let beyond = match self.sense * junction.side {
+            // The motion leaves a table: nothing moves beyond its end.
+            side if side < 0.0 => at,
+            0.0 => engine.moved(at, self.sense * by),
+            _ => return None,
+        };
         if !self.stand_at(before) {
             return None;
         }
@@ -179,6 +265,13 @@ impl Walker<'_> {
             self.flip(step);
         }
         if self.try_step(before, beyond, &saved) {
+            return Some(beyond);
+        }
+        // The motion may come to rest exactly at a change point.
+        let steps = 0..engine.program.steps.len();
+        if junction.side != 0.0
+            && self.run_some(steps, beyond, Order::Acceleration) == Condition::ChangePoint
+        {
             return Some(beyond);
         }
         self.state = saved;
@@ -219,8 +312,7 @@ impl Walker<'_> {
 
     /// Returns the dyads that reach an extreme of their stretch close to a limit, as step and
     /// coordinate.
-    fn stretched(&mut self, limit: f64) -> Vec<(usize, f64)> {
-        let flat = self.flat(limit);
+    fn stretched(&mut self, flat: Vec<usize>, limit: f64) -> Vec<(usize, f64)> {
         let found = flat
             .into_iter()
             .filter_map(|step| Some((step, self.extreme(step, limit)?)));

@@ -96,7 +96,8 @@ impl Walker<'_> {
                 from: (a.at, from?),
                 to: (b.at, to?),
             };
-            let may_have = lowest < SUSPICIOUS && stretch.has_extreme(self.sense);
+            let is_leaving = self.engine.inwards(b.at) * self.sense < 0.0;
+            let may_have = lowest < SUSPICIOUS && (is_leaving || stretch.has_extreme(self.sense));
             may_have.then_some(stretch)
         });
         all.collect()
@@ -105,7 +106,7 @@ impl Walker<'_> {
     /// Returns the first extreme of a reach that is a limit. Records the near misses before it.
     fn first_extreme(&mut self, stretches: Vec<Stretch>) -> Option<f64> {
         self.ahead = None;
-        self.blurred = None;
+        self.unresolved = None;
         let mut found: Vec<(Stretch, f64)> = Vec::new();
         let mut is_known = vec![false; self.engine.program.steps.len()];
         for (number, stretch) in stretches.iter().enumerate() {
@@ -114,6 +115,10 @@ impl Walker<'_> {
             }
             let extremes = self.extremes(stretch);
             found.extend(extremes.iter().map(|&at| (*stretch, at)));
+            // Near the end of a table, doubles do not tell whether there is an extreme.
+            if self.engine.inwards(stretch.to.0) * self.sense < 0.0 {
+                found.push((*stretch, stretch.to.0));
+            }
             // In a long row of dyads, all are stretched at one coordinate: one run evaluates them.
             if let ([at], false) = (&extremes[..], stretch.turns_back()) {
                 for together in self.stretched_together(*at, &stretches[number + 1..]) {
@@ -232,12 +237,25 @@ impl Walker<'_> {
         let measure = self.measure(group, at);
         let is_open = measure < 0.0 && self.state.condition == Condition::NoAssembly;
         if is_open || measure.abs() < UNSURE {
+            if let Some(pair) = self.pair_near(step, at)
+                && self.ahead(pair.first) > 0.0
+            {
+                if self.is_passed(&pair) {
+                    return None;
+                }
+                let extreme = ReachExtreme::from(pair);
+                self.ahead = Some(extreme);
+                return Some(extreme.limit());
+            }
+            if !is_open && self.engine.inwards(at) != 0.0 {
+                return None;
+            }
             match self.exact_extreme(step, at) {
                 Some((at, Standing::Singular { .. })) if self.is_split_off(step, at) => {
                     return None;
                 }
                 Some((at, Standing::Singular { .. })) => {
-                    self.ahead = Some(ReachExtreme { step, at });
+                    self.ahead = Some(ReachExtreme::single(step, at));
                     return Some(at.hi);
                 }
                 Some((at, Standing::Regular)) => {
@@ -250,7 +268,7 @@ impl Walker<'_> {
                     return None;
                 }
                 None if !is_open && self.is_stretched(step, group, at) => {
-                    self.blurred = Some((step, group, at));
+                    self.unresolved = Some((step, group, at));
                     return Some(at);
                 }
                 None => {}
@@ -273,7 +291,7 @@ impl Walker<'_> {
     }
 
     /// Records a near miss.
-    fn note_miss(&mut self, group: usize, sine: f64, at: f64) {
+    pub(super) fn note_miss(&mut self, group: usize, sine: f64, at: f64) {
         let group = GroupId::new(group);
         self.misses.push(NearMiss { group, sine, at });
     }

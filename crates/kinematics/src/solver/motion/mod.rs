@@ -255,7 +255,8 @@ pub(super) fn explore<'e>(
         sense: 1.0,
         passages: Passages::default(),
         ahead: None,
-        blurred: None,
+        singly: None,
+        unresolved: None,
         unproved: Vec::new(),
         lined_up: Vec::new(),
         samples: Vec::new(),
@@ -275,6 +276,7 @@ pub(super) fn explore<'e>(
         Ok(high) => {
             walker.state = state.clone();
             walker.sense = -1.0;
+            walker.singly = None;
             let low = walker.walk()?.end();
             let low = low.unwrap_or_else(|turns| BoundedEnd::exact(start - angle_turn(turns)));
             let bounds = [low, high].map(|end| end.bound);
@@ -334,7 +336,7 @@ fn dead_points(range: Range, engine: &Engine, start: f64) -> Vec<f64> {
             let is_cut = |end: f64| (end - start).abs() >= reach;
             [low, high]
                 .into_iter()
-                .filter(|&end| !is_cut(end))
+                .filter(|&end| !is_cut(end) && engine.inwards(end) == 0.0)
                 .collect()
         }
     }

@@ -55,6 +55,8 @@ pub(super) const SAMPLES: usize = 3;
 /// Maximum distance between a limit and its exact coordinate, in radians or scaled lengths. An end
 /// further away is another one.
 const REFINED: f64 = 1e-9;
+/// Number of samples taken before a limit, each at a tenth of the distance of the last.
+const APPROACHES: i32 = 6;
 /// Maximum difference between z and its start in a closed motion.
 const CLOSED: f64 = 1e-7;
 
@@ -107,8 +109,10 @@ pub(super) struct Walker<'e> {
     pub(super) passages: Passages,
     /// The extreme found last, at the next limit.
     pub(super) ahead: Option<ReachExtreme>,
+    /// The last of two close change points that are passed one by one.
+    pub(super) singly: Option<f64>,
     /// The step, group and coordinate of a dyad whose extreme at the next limit is lost in rounding.
-    pub(super) blurred: Option<(usize, usize, f64)>,
+    pub(super) unresolved: Option<(usize, usize, f64)>,
     /// The groups whose assemblies are known to meet at the next limit.
     pub(super) unproved: Vec<GroupId>,
     /// The ends of the range at which groups are lined up.
@@ -164,7 +168,7 @@ impl Walker<'_> {
             let stop = self.advance_by_table_ends(from, to);
             if let Err(stop) = stop {
                 let limit = match stop {
-                    Stop::Limit(limit) => limit,
+                    Stop::Limit(limit) => self.before_limit(limit),
                     Stop::Barrier { good, bad } => {
                         let limit = self.bisect(good, bad);
                         self.approach(limit).unwrap_or(limit)
@@ -181,7 +185,7 @@ impl Walker<'_> {
                 let beyond = self.pass(limit).filter(|&at| self.ahead(at) > passed);
                 let Some(beyond) = beyond else {
                     let end = self.refined(limit, &last);
-                    let limit = self.before_blur(from, limit);
+                    let limit = self.last_resolved(from, limit);
                     // Beyond a change point that is not passed, the motion may be another one.
                     let beyond = self.sense * self.engine.difference(limit, end.at);
                     let most = if self.unproved.is_empty() {
@@ -189,7 +193,8 @@ impl Walker<'_> {
                     } else {
                         0.0
                     };
-                    let is_known = beyond <= most;
+                    // A change point that is passed is no limit.
+                    let is_known = beyond <= most && self.ahead(end.at) >= passed;
                     let limit = if is_known {
                         end
                     } else {
@@ -202,6 +207,10 @@ impl Walker<'_> {
                     }));
                     return Ok(WalkEnd::Limit(limit));
                 };
+                // Nothing moves beyond a table, and doubles cannot solve it close to a change point.
+                if self.engine.inwards(beyond) * sense < 0.0 {
+                    return Ok(WalkEnd::Cut(beyond));
+                }
                 // The steps in between were computed on the wrong side.
                 (from, closed, passed) = (beyond, None, self.ahead(beyond));
                 k = (self.ahead(beyond) / step) as usize + 1;
@@ -223,20 +232,20 @@ impl Walker<'_> {
 
     /// Returns the last coordinate at which a dyad is clear of its limit, if rounding hides where
     /// that limit is. Otherwise returns `limit`.
-    fn before_blur(&mut self, from: f64, limit: f64) -> f64 {
-        let blurred = self.blurred.take().filter(|&(.., at)| at == limit);
-        let Some((step, group, _)) = blurred else {
+    fn last_resolved(&mut self, from: f64, limit: f64) -> f64 {
+        let unresolved = self.unresolved.take().filter(|&(.., at)| at == limit);
+        let Some((step, group, _)) = unresolved else {
             return limit;
         };
-        let (mut clear, mut blurred) = (from, limit);
+        let (mut clear, mut stretched) = (from, limit);
         for _ in 0..MAX_HALVINGS {
-            let middle = clear + 0.5 * (blurred - clear);
-            if middle == clear || middle == blurred {
+            let middle = clear + 0.5 * (stretched - clear);
+            if middle == clear || middle == stretched {
                 break;
             }
             self.stretching(step, middle);
             if self.is_stretched(step, group, middle) {
-                blurred = middle;
+                stretched = middle;
             } else {
                 clear = middle;
             }
@@ -532,6 +541,49 @@ impl Walker<'_> {
         }
         self.samples.truncate(walked);
         self.state = at_end;
+        found
+    }
+
+    /// Returns the first limit at or before a limit found between the last two samples.
+    ///
+    /// The last sample lies beyond the limit. Dyads behind the one that reaches it were placed on
+    /// the wrong side there, and their own extremes before the limit may be hidden.
+    fn before_limit(&mut self, limit: f64) -> f64 {
+        let mut limit = limit;
+        while let Some(earlier) = self.earlier_limit(limit) {
+            limit = earlier;
+        }
+        limit
+    }
+
+    /// Returns a limit between the last sample but one and a limit, if there is one.
+    fn earlier_limit(&mut self, limit: f64) -> Option<f64> {
+        if self.has_path() {
+            return None;
+        }
+        let (at_end, walked) = (self.state.clone(), self.samples.len());
+        let (ahead, unresolved) = (self.ahead.take(), self.unresolved.take());
+        self.seen.pop();
+        let from = self.seen.last()?.at;
+        let mut found = None;
+        for k in 1..=APPROACHES {
+            let next = limit - (limit - from) * 0.1_f64.powi(k);
+            if self.run(next, Order::Acceleration) != Condition::Ok {
+                break;
+            }
+            self.note(next);
+            found = self
+                .limit_passed()
+                .filter(|&at| self.ahead(at) < self.ahead(limit));
+            if found.is_some() {
+                break;
+            }
+        }
+        self.samples.truncate(walked);
+        self.state = at_end;
+        if found.is_none() {
+            (self.ahead, self.unresolved) = (ahead, unresolved);
+        }
         found
     }
 

@@ -11,9 +11,11 @@
 //! coefficients zero in double-double.
 
 mod cut;
+mod pair;
 mod triangle;
 
 pub(super) use cut::{Cut, turned};
+pub(in crate::solver) use pair::Pair;
 pub(super) use triangle::SeriesTriangle;
 
 use crate::arithmetic::Series;
@@ -33,6 +35,8 @@ pub(in crate::solver) struct Snap {
     pub by: Vec2<Double>,
     /// Whether arms that differ by rounding count as equal: their pivots coincide.
     pub equal_arms: bool,
+    /// The two close places at which the pivots of equal arms coincide, if they do so twice.
+    pub pair: Option<Pair>,
 }
 
 impl Snap {
@@ -41,6 +45,7 @@ impl Snap {
         Snap {
             by,
             equal_arms: true,
+            pair: None,
         }
     }
 }
@@ -119,8 +124,17 @@ pub(super) fn shifted(u: Vec2<Series>, snap: Snap, terms: usize) -> Vec2<Series>
 }
 
 /// Divides by the square of a length. If the square begins with a power of t, the dividend must,
-/// too, and the factor is cancelled.
-pub(super) fn quotient(dividend: Vec2<Series>, u: Vec2<Series>, d2: Series) -> Vec2<Series> {
+/// too, and the factor is cancelled. The same holds for the square of `pair`.
+pub(super) fn quotient(
+    dividend: Vec2<Series>,
+    u: Vec2<Series>,
+    d2: Series,
+    pair: Option<Pair>,
+) -> Vec2<Series> {
+    if let Some(pair) = pair {
+        let cancelled = |v: Series| v.divided(pair.squared()).0;
+        return dividend.map(cancelled) / cancelled(d2);
+    }
     let meets = u.x.nearest() == 0.0 && u.y.nearest() == 0.0;
     let order = if meets {
         d2.valuation(&squared(u)[1], ZERO)

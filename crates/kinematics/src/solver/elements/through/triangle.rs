@@ -1,6 +1,6 @@
 //! Intersects two circles in series: RRR, with arms of fixed length or one pushed by a cylinder.
 
-use super::{Height, InSeries, quotient, squared};
+use super::{Height, InSeries, Pair, quotient, squared};
 use crate::arithmetic::Series;
 use crate::{Number, Vec2};
 
@@ -15,13 +15,20 @@ pub(in crate::solver::elements) struct SeriesTriangle {
     pub(in crate::solver::elements) least: Series,
     pub(in crate::solver::elements) most: Series,
     pub(in crate::solver::elements) squares: Series,
+    /// The two close places at which the pivots coincide, if they do so twice.
+    pub(in crate::solver::elements) pair: Option<Pair>,
 }
 
 impl SeriesTriangle {
     /// Returns the vector from the near pivot to the point, for e x f = `height`.
     pub(in crate::solver::elements) fn arm(&self, height: Series) -> Vec2<Series> {
         let x = (self.d2 + self.squares).scaled(0.5);
-        quotient(self.u * x + self.u.perp() * height, self.u, self.d2)
+        quotient(
+            self.u * x + self.u.perp() * height,
+            self.u,
+            self.d2,
+            self.pair,
+        )
     }
 }
 

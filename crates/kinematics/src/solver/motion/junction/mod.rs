@@ -7,6 +7,7 @@
 //! solving the mechanism on both sides of the coordinate.
 
 mod lay;
+mod pair;
 mod proof;
 mod standing;
 
@@ -16,18 +17,27 @@ use crate::arithmetic::{Series, TERMS};
 use crate::solver::elements::{Dyad, POSITION, Snap, StepOutcome, root};
 use crate::solver::workspace::Workspace;
 use crate::{Double, Vec2};
+pub(super) use pair::PairFound;
+use pair::{Paired, paired};
 pub(super) use standing::Standing;
 
 /// Number of terms of the first attempt.
 pub(super) const FIRST: usize = 16;
 /// Number of additional terms per attempt, if too few coefficients remain.
 const MORE: usize = 8;
+/// Half widths of a step across two close change points, in radians or scaled lengths.
+const WIDTHS: [f64; 4] = [0.03, 0.018, 6e-3, 2e-3];
 /// Minimum number of known coefficients of every group.
 const WANTED: usize = 10;
+
+/// Minimum number about two change points, so that the series reaches beyond both.
+const WANTED_BY_PAIR: usize = 20;
 
 /// All groups in series about a coordinate at which some are singular.
 pub(super) struct Junction {
     pub(super) at: Double,
+    /// The sign of the distances at which the motion exists, at an end of a table; otherwise 0.
+    pub(super) side: f64,
     series: Workspace<Series>,
     /// The groups singular at the coordinate.
     folds: Vec<SingularGroup>,
@@ -42,8 +52,14 @@ struct SingularGroup {
     step: usize,
     group: usize,
     snap: Snap,
-    /// The order of the square of the group's height.
-    order: usize,
+    /// The distances from the coordinate at which the group's sign changes.
+    turns: Vec<Double>,
+    /// The maximum distance of the places at which the group is singular.
+    spread: f64,
+    /// Whether the group is singular or almost singular at two close places.
+    pair: bool,
+    /// Whether the input reverses just before the group is singular.
+    is_missed: bool,
 }
 
 /// A nearly singular group.
@@ -55,9 +71,26 @@ pub(super) struct Missed {
 }
 
 impl SingularGroup {
-    /// Returns `true` if the group's sign changes.
+    /// Creates a group singular at one place. The square of its height is of this order there.
+    fn at_one_place((step, group): (usize, usize), snap: Snap, order: usize) -> SingularGroup {
+        SingularGroup {
+            step,
+            group,
+            snap,
+            turns: if order % 4 == 2 {
+                vec![Double::ZERO]
+            } else {
+                Vec::new()
+            },
+            spread: 0.0,
+            pair: false,
+            is_missed: false,
+        }
+    }
+
+    /// Returns `true` if the group's sign on both sides differs.
     fn turns(&self) -> bool {
-        self.order % 4 == 2
+        self.turns.len() % 2 == 1
     }
 }
 
@@ -78,6 +111,19 @@ impl Junction {
     /// Returns the singular groups.
     pub(super) fn groups(&self) -> impl Iterator<Item = usize> + '_ {
         self.folds.iter().map(|f| f.group)
+    }
+
+    /// Returns the half widths of a step across two close change points that are wider than those
+    /// across a single one. The assemblies differ by the square of the distance only.
+    pub(super) fn widths(&self) -> impl Iterator<Item = f64> {
+        let is_wide = self.folds.iter().any(|f| f.pair);
+        let widths = if is_wide { &WIDTHS[..] } else { &[] };
+        widths.iter().copied()
+    }
+
+    /// Returns the maximum distance of the places at which a group is singular.
+    pub(super) fn spread(&self) -> f64 {
+        self.folds.iter().map(|f| f.spread).fold(0.0, f64::max)
     }
 
     /// Returns the steps whose group changes its sign.
@@ -115,6 +161,7 @@ impl Walker<'_> {
         let signs = &self.state.signs;
         let mut junction = Junction {
             at,
+            side: self.engine.inwards(at.hi),
             series: engine.state(self.state.travels.len()),
             folds: Vec::new(),
             missed: Vec::new(),
@@ -130,7 +177,8 @@ impl Walker<'_> {
                 let crossing = crossing.filter(|c| c.step == i);
                 if crossing.is_some() {
                     let group = engine.program.coupled[index].group;
-                    junction.fold((i, group), (Snap::default(), 2), self.sense);
+                    let fold = SingularGroup::at_one_place((i, group), Snap::default(), 2);
+                    junction.fold(fold, self.sense);
                 }
                 self.follow(i, at.hi, q, crossing, &mut junction.series)
             } else {
@@ -141,7 +189,9 @@ impl Walker<'_> {
                 return Err(Refusal::End);
             }
         }
-        if junction.known() < WANTED && terms + MORE <= TERMS {
+        let is_pair = junction.folds.iter().any(|f| f.pair);
+        let wanted = if is_pair { WANTED_BY_PAIR } else { WANTED };
+        if junction.known() < wanted && terms + MORE <= TERMS {
             return Err(Refusal::Terms);
         }
         Ok(junction)
@@ -157,6 +207,11 @@ impl Walker<'_> {
     ) -> Result<(), Refusal> {
         let group = dyad.group();
         let slack = self.slack();
+        let is_end = junction.side != 0.0;
+        let paired = paired(dyad, q, (slack, is_end), &junction.series);
+        if let Some(paired) = paired.filter(|_| !self.is_single(junction.at.hi)) {
+            return self.lead_twice((step, dyad), &paired, q, junction);
+        }
         let (snap, order) = match self.standing(dyad, q, slack, &junction.series)? {
             Standing::Regular => (Snap::default(), 0),
             Standing::Missing { sine } => {
@@ -171,7 +226,8 @@ impl Walker<'_> {
                 if swings && dyad.is_afloat(&junction.series) {
                     return Err(Refusal::End);
                 }
-                junction.fold((step, group), (snap, order), self.sense);
+                let fold = SingularGroup::at_one_place((step, group), snap, order);
+                junction.fold(fold, self.sense);
                 (snap, order)
             }
         };
@@ -184,19 +240,40 @@ impl Walker<'_> {
         }
         Ok(())
     }
+
+    /// Places a dyad in series through two change points close to this coordinate.
+    fn lead_twice(
+        &self,
+        (step, dyad): (usize, Dyad<'_>),
+        paired: &Paired,
+        q: Series,
+        junction: &mut Junction,
+    ) -> Result<(), Refusal> {
+        let group = dyad.group();
+        let has_met = |f: &SingularGroup| f.snap.equal_arms;
+        let swings = paired.snap.equal_arms && junction.folds.iter().any(has_met);
+        if swings && dyad.is_afloat(&junction.series) {
+            return Err(Refusal::End);
+        }
+        if let Some(sine) = paired.missed {
+            junction.missed.push(Missed { group, sine });
+        }
+        junction.fold(paired.group((step, group), junction.side), self.sense);
+        let series = &mut junction.series.state;
+        let square = dyad.square(q, paired.snap, series);
+        // The motion arrives from outside both places.
+        let height = paired.pair.root(square, self.state.signs[group]);
+        dyad.run_through(q, paired.snap, height, series);
+        dyad.translate(series);
+        Ok(())
+    }
 }
 
 impl Junction {
     /// Stores a singular group, and its sign on the side towards which the motion goes.
-    fn fold(&mut self, (step, group): (usize, usize), (snap, order): (Snap, usize), sense: f64) {
-        let fold = SingularGroup {
-            step,
-            group,
-            snap,
-            order,
-        };
+    fn fold(&mut self, fold: SingularGroup, sense: f64) {
         if fold.turns() {
-            let sign = &mut self.sides[usize::from(sense > 0.0)][group];
+            let sign = &mut self.sides[usize::from(sense > 0.0)][fold.group];
             *sign = -*sign;
         }
         self.folds.push(fold);

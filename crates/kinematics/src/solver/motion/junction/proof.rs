@@ -16,6 +16,8 @@ const PROVEN: f64 = 1e-9;
 const OTHER: f64 = 0.1;
 /// Factor by which a zone shrinks if the series cannot be proved in it.
 const ZONE: f64 = 0.1;
+/// Minimum zone of a series about two change points, in units of their distance from its centre.
+const WIDER: f64 = 2.5;
 /// Maximum number of zones tried.
 const ZONES: i32 = 8;
 
@@ -27,15 +29,18 @@ impl Walker<'_> {
         junction: &Junction,
     ) -> Option<Vec<Passage>> {
         let engine = self.engine;
+        let least = WIDER * junction.spread();
         let passages = junction.folds.iter().map(|fold| {
-            let of = (fold.group, fold.turns());
+            let of = (fold.group, fold.turns.len() == 1);
             let mut passage =
                 Passage::new(junction.at, of, engine.outputs(fold.step), &junction.series)?;
             // A series does not hold beyond a knot of an input table.
             passage.zone = passage.zone.min(engine.smooth(passage.at));
             let other = self.passages.distance(engine, fold.group, passage.at);
             passage.zone = other.map_or(passage.zone, |other| passage.zone.min(0.5 * other));
-            (passage.zone > 0.0).then_some(passage)
+            passage.side = junction.side;
+            passage.is_led = fold.is_missed;
+            (passage.zone > least).then_some(passage)
         });
         let mut passages = passages.collect::<Option<Vec<Passage>>>()?;
         // A proof at a distance covers all groups before it: one per zone is enough.
@@ -49,12 +54,25 @@ impl Walker<'_> {
         }
         for (zone, steps) in zones {
             // Another change point may be closer.
-            let mut narrower = (0..ZONES).map(|k| zone * ZONE.powi(k));
+            let narrower = (0..ZONES).map(|k| zone * ZONE.powi(k));
+            let mut narrower = narrower.filter(|&zone| zone > least);
             let proved = narrower.find(|&zone| self.proves(junction, zone, steps))?;
             let alike = passages.iter_mut().filter(|passage| passage.zone == zone);
             alike.for_each(|passage| passage.zone = proved);
         }
-        Some(passages)
+        let mut places = Vec::new();
+        for (passage, fold) in passages.into_iter().zip(&junction.folds) {
+            if fold.turns.is_empty() {
+                places.push(passage);
+                continue;
+            }
+            let turns = fold.turns.iter();
+            places.extend(turns.map(|&by| {
+                let at = self.moved_exactly(junction.at, by);
+                passage.turning_at(at, by.hi)
+            }));
+        }
+        Some(places)
     }
 
     /// Returns `true` if the series agree with the first `steps` steps at a distance on both sides,
@@ -66,8 +84,9 @@ impl Walker<'_> {
         steps: usize,
     ) -> bool {
         let signs = self.state.signs.clone();
-        let proved = [-distance, distance]
-            .into_iter()
+        let sides = [-distance, distance].into_iter();
+        let proved = sides
+            .filter(|dq| dq * junction.side >= 0.0)
             .all(|dq| self.tells(junction, dq, steps));
         self.state.state.signs = signs;
         proved
@@ -92,6 +111,8 @@ impl Walker<'_> {
                 continue;
             };
             let snap = fold.map_or_else(|_| Snap::default(), |k| junction.folds[k].snap);
+            // At a distance, the pivots do not coincide.
+            let snap = Snap { pair: None, ..snap };
             let square = dyad.square(q, snap, &here);
             if !(square.nearest() > 0.0) {
                 return false;
