@@ -34,22 +34,18 @@ fn with_point(mantissa: &str, exponent: i32) -> String {
         Some(digits) => ("-", digits),
         None => ("", mantissa),
     };
-    let digits = digits.chars().filter(|digit| *digit != '.');
-    let mut text = String::with_capacity(mantissa.len() + 6);
-    text.push_str(sign);
-    if exponent < 0 {
-        text.push_str("0.");
-        (exponent..-1).for_each(|_| text.push('0'));
-        text.extend(digits);
-        return text;
-    }
-    for (place, digit) in (0..).zip(digits) {
-        if place == exponent + 1 {
-            text.push('.');
+    let (first, others) = digits.split_once('.').unwrap_or((digits, ""));
+    match usize::try_from(exponent) {
+        Ok(exponent) if exponent < others.len() => {
+            let (whole, decimals) = others.split_at(exponent);
+            [sign, first, whole, ".", decimals].concat()
         }
-        text.push(digit);
+        Ok(_) => [sign, first, others].concat(),
+        Err(_) => {
+            let noughts = "0".repeat(exponent.unsigned_abs() as usize - 1);
+            [sign, "0.", &noughts, first, others].concat()
+        }
     }
-    text
 }
 
 /// Returns the number of digits known of a value with an error bound, at most `digits`: the unit of
