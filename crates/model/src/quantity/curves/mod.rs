@@ -219,7 +219,7 @@ impl Curves {
     #[must_use]
     pub fn in_groups(mut self, count: usize) -> Vec<Curves> {
         let curves = std::mem::take(&mut self.curves);
-        let groups = curves.chunks(count).map(|curves| Curves {
+        let groups = curves.chunks(count.max(1)).map(|curves| Curves {
             curves: curves.to_vec(),
             ..self.clone()
         });
