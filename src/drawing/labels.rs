@@ -149,7 +149,13 @@ impl Labels {
                 self.places.push(LabelPlace::New);
             }
             let place = match self.planned(count, view) {
-                Some(side) => side.best_place(raster, point, text, self.places[count]),
+                Some(side) => {
+                    let place = side.best_place(raster, point, text, self.places[count]);
+                    if place == LabelPlace::Hidden && raster.cell(point.0, point.1).is_some() {
+                        self.leave_out(count);
+                    }
+                    place
+                }
                 None => best_place(raster, point, text, self.places[count], limit),
             };
             self.places[count] = place;

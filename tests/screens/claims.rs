@@ -197,7 +197,16 @@ pub(crate) fn assert_dotted(through: &[(usize, usize)], dotted: &str) {
 /// Returns the left or the right part of a screen with a bar between two panes.
 pub(crate) fn pane(screen: &str, right: bool) -> String {
     let part = |line: &str| {
-        let (left, other) = line.split_once(['|', '│']).unwrap_or((line, ""));
+        const ENDS: [char; 2] = ['|', '│'];
+        // The line of the cycle has bars of its own, at both ends.
+        let is_cycle = line
+            .strip_prefix(' ')
+            .is_some_and(|line| line.starts_with(ENDS));
+        let parts = match is_cycle {
+            true => line.rsplit_once(ENDS),
+            false => line.split_once(ENDS),
+        };
+        let (left, other) = parts.unwrap_or((line, ""));
         if right { other } else { left }.trim_end().to_owned() + "\n"
     };
     screen.lines().map(part).collect()

@@ -7,9 +7,7 @@
 //! Between two limits the motion runs there and back, and the name changes once each way. On its
 //! side a name may still move by a few cells.
 
-use super::{
-    Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover, cover_for, names, origin, width,
-};
+use super::{Align, INERTIA, LabelPlace, Labels, SEATS, cell_of, cover_for, names, origin, width};
 use crate::drawing::figure::{Figure, Role};
 use crate::drawing::raster::Raster;
 use crate::drawing::reach::Reach;
@@ -30,13 +28,13 @@ const HIDDEN: i32 = 500;
 /// Cost of a change of sides.
 const CHANGE: i32 = 600;
 /// Cost of another side than the one that is shown when the plan begins.
-const ELSEWHERE: i32 = 300;
+const ELSEWHERE: i32 = 4000;
 /// Cost per character of a planned name that hides part of a bar.
-const OVER_BAR: i32 = 40;
+const OVER_BAR: i32 = 100;
 /// Number of steps around those without a place for a name, over which it is left out.
 const AROUND: usize = 4;
 /// Number of times that each name is planned, with the other names in place.
-const ROUNDS: usize = 2;
+const ROUNDS: usize = 3;
 
 /// A side of a point, or no place at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -194,6 +192,7 @@ impl Labels {
                     others.filter_map(move |(_, (plan, costs))| costs.span(plan.as_ref()?, step))
                 };
                 let shown = self.places.get(name).map(|place| Side::of(*place));
+                let shown = shown.filter(|shown| *shown != Side::Hidden);
                 planned[name] = Some(planning.best(&costs.with_others(taken), shown));
             }
         }
@@ -222,6 +221,15 @@ impl Labels {
         }
     }
 
+    /// Plans to leave out a name without a place between two steps. It would disappear again at the
+    /// same place of every cycle.
+    pub(super) fn leave_out(&mut self, name: usize) {
+        let plan = self.plan.as_mut();
+        if let Some(name) = plan.and_then(|plan| plan.names.get_mut(name)) {
+            (name.main, name.other) = (Side::Hidden, Side::Hidden);
+        }
+    }
+
     /// Returns the planned side of a name; `None` without a plan for this window.
     pub(super) fn planned(&self, name: usize, view: &WorldView) -> Option<Side> {
         let plan = self.plan.as_ref().filter(|plan| plan.view == *view)?;
@@ -234,14 +242,17 @@ impl Labels {
 /// the motion that contains these steps, and any other one throughout.
 fn leave_out_crowded(planned: &mut [PlannedName], names: &[SeatCosts]) {
     let mut crowded: Vec<Vec<usize>> = vec![Vec::new(); planned.len()];
+    let mut seats: Vec<Option<usize>> = vec![None; planned.len()];
     for step in 0..names.first().map_or(0, |name| name.costs.len()) {
         let mut taken: Vec<Span> = Vec::new();
-        for (index, (plan, name)) in planned.iter().zip(names).enumerate() {
-            if plan.side(step) == Side::Hidden || name.names[step].is_none() {
+        for (index, (plan, costs)) in planned.iter().zip(names).enumerate() {
+            let side = plan.side(step);
+            let Some(name) = costs.names[step].as_ref().filter(|_| side != Side::Hidden) else {
                 continue;
-            }
-            match name.free_span(plan.side(step), step, &taken) {
-                Some(span) => taken.push(span),
+            };
+            seats[index] = costs.free_seat(side, step, &taken, seats[index]);
+            match seats[index] {
+                Some(seat) => taken.extend(span(name, seat)),
                 None => crowded[index].push(step),
             }
         }
@@ -316,12 +327,8 @@ impl SeatCosts {
         if let Some((point, text)) = name {
             for (seat, cost) in SEATS.iter().zip(&mut costs) {
                 let (col, row) = origin(seat, point, text);
-                let free = cover(raster, col, row, text).map(|cover| cover * 4);
-                let any = free.or_else(|| {
-                    let cover = cover_for(raster, col, row, text, Some(0))?;
-                    Some(BLOCKED + cover * 4)
-                });
-                *cost = any.map(|any| any + seat.cost);
+                let cover = cover_for(raster, col, row, text, Some(OVER_BAR));
+                *cost = cover.map(|cover| cover + seat.cost);
             }
         }
         self.costs.push(costs);
@@ -333,20 +340,29 @@ impl SeatCosts {
 
     /// Returns the cells that the name takes at a step of its plan.
     fn span(&self, plan: &PlannedName, step: usize) -> Option<Span> {
-        self.free_span(plan.side(step), step, &[])
+        let seat = self.free_seat(plan.side(step), step, &[], None)?;
+        span(self.names[step].as_ref()?, seat)
     }
 
-    /// Returns the cells that the name takes on a side at a step, clear of other names.
-    fn free_span(&self, side: Side, step: usize, taken: &[Span]) -> Option<Span> {
+    /// Returns the seat of the name on a side at a step, clear of other names. Close to the best
+    /// one, the last seat is kept.
+    fn free_seat(
+        &self,
+        side: Side,
+        step: usize,
+        taken: &[Span],
+        last: Option<usize>,
+    ) -> Option<usize> {
         let name = self.names[step].as_ref()?;
         let costs = self.costs[step].iter().enumerate();
         let own = costs.filter(|(seat, _)| Side::of_seat(*seat) == side);
         let free = own.filter_map(|(seat, cost)| {
             let own = span(name, seat)?;
             let is_free = !taken.iter().any(|other| touch(own, *other));
-            Some(((*cost).filter(|_| is_free)?, own))
+            let inertia = i32::from(last == Some(seat)) * INERTIA;
+            Some(((*cost).filter(|_| is_free)? - inertia, seat))
         });
-        free.min().map(|(_, span)| span)
+        free.min().map(|(_, seat)| seat)
     }
 
     /// Returns the costs of each side over the motion, with these names at each step in place. A
@@ -365,7 +381,9 @@ impl SeatCosts {
                 let is_taken = span(name, seat).is_some_and(touches);
                 let side = SIDES.iter().position(|side| *side == Side::of_seat(seat));
                 if let (Some(cost), Some(side), false) = (cost, side, is_taken) {
-                    sides[side] = sides[side].min(*cost);
+                    let is_on_bar = *cost >= OVER_BAR;
+                    let cost = 2 * cost + i32::from(is_on_bar) * BLOCKED;
+                    sides[side] = sides[side].min(cost);
                 }
             }
             sides
@@ -410,10 +428,14 @@ struct Planning {
 impl Planning {
     /// Returns the best sides of a name that is shown on a side when the plan begins.
     fn best(&self, costs: &[SideCosts], shown: Option<Side>) -> PlannedName {
-        let elsewhere = |name: &PlannedName| match shown {
-            Some(shown) if name.side(self.begin) != shown => ELSEWHERE,
-            _ => 0,
-        };
+        let mut costs = costs.to_vec();
+        if let (Some(begin), Some(shown)) = (costs.get_mut(self.begin), shown) {
+            let others = begin
+                .iter_mut()
+                .zip(&SIDES)
+                .filter(|(_, side)| **side != shown);
+            others.for_each(|(cost, _)| *cost += ELSEWHERE);
+        }
         let hidden = PlannedName {
             main: Side::Hidden,
             other: Side::Hidden,
@@ -422,7 +444,6 @@ impl Planning {
         };
         let mut best = (i32::MAX, hidden);
         let mut offer = |cost: i32, name: PlannedName| {
-            let cost = cost + elsewhere(&name);
             if cost < best.0 {
                 best = (cost, name);
             }
