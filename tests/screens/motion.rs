@@ -44,8 +44,8 @@ fn arrows_are_shown_with_their_scale() {
     assert_told(
         &tiny,
         &[
-            "<_ __--",
-            "A @-",
+            "<_ __-<<",
+            "A @ B",
             "v 2000 mm/s = --->",
             "r4 250.000 290.753*",
         ],

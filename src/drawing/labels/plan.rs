@@ -20,6 +20,8 @@ const STEPS: usize = 240;
 /// take longer than a frame may.
 const MAX_NAMES: usize = 40;
 const MAX_SHAPES: usize = 600;
+/// Number of names above which they take each other's places.
+const MANY_NAMES: usize = 16;
 
 /// Cost of a step at which the name lies on a bar.
 const BLOCKED: i32 = 400;
@@ -221,10 +223,11 @@ impl Labels {
         }
     }
 
-    /// Plans to leave out a name without a place between two steps. It would disappear again at the
-    /// same place of every cycle.
+    /// Plans to leave out one of many names that has no place between two steps. It would disappear
+    /// again at the same place of every cycle.
     pub(super) fn leave_out(&mut self, name: usize) {
         let plan = self.plan.as_mut();
+        let plan = plan.filter(|plan| plan.names.len() > MANY_NAMES);
         if let Some(name) = plan.and_then(|plan| plan.names.get_mut(name)) {
             (name.main, name.other) = (Side::Hidden, Side::Hidden);
         }
