@@ -8,6 +8,8 @@ use super::symbol::cell_of;
 use super::view::WorldView;
 use crate::Vec2;
 use plan::LabelPlan;
+#[cfg(test)]
+pub(super) use plan::Side;
 
 /// The places of a figure's labels in the last frame; keep it from frame to frame.
 ///
@@ -315,10 +317,9 @@ fn cover_for(
 
 #[cfg(test)]
 impl Labels {
-    /// Returns `true` for each label that is on another side than `before`.
-    pub(super) fn moved_from(&self, before: &Labels) -> impl Iterator<Item = bool> {
-        let pairs = self.places.iter().zip(&before.places);
-        pairs.map(|(now, then)| plan::Side::of(*now) != plan::Side::of(*then))
+    /// Returns the side of each label.
+    pub(super) fn sides(&self) -> impl Iterator<Item = Side> {
+        self.places.iter().map(|place| Side::of(*place))
     }
 
     /// Returns the number of labels left out.

@@ -159,12 +159,12 @@ mod tests {
         assert_eq!(shown(Glyphs::Ascii, 6, 1), [""; 0]);
         let line = shown(Glyphs::Line, 80, 1).concat();
         assert!(
-            line.contains("= \u{2500}\u{2500}\u{2500}\u{2500}\u{2500}>"),
+            line.contains("= \u{2500}\u{2500}\u{2500}\u{2500}\u{2500}\u{25ba}"),
             "{line}"
         );
         let dots = shown(Glyphs::Braille, 80, 1).concat();
         assert!(
-            dots.contains("= \u{2824}\u{2824}\u{2824}\u{2824}\u{2824}>"),
+            dots.contains("= \u{2824}\u{2824}\u{2824}\u{2824}\u{2824}\u{25ba}"),
             "{dots}"
         );
     }

@@ -68,7 +68,7 @@ fn every_function_is_told_of() {
 /// The topics that the last column of the questions names.
 #[cfg(feature = "tui")]
 #[test]
-fn thirty_questions_lead_to_topics() {
+fn questions_lead_to_topics() {
     for language in Language::ALL {
         language.speak();
         let text = find("how").unwrap().text(String::new);
@@ -80,7 +80,7 @@ fn thirty_questions_lead_to_topics() {
             assert!(find(topic).is_some(), "{row}");
             questions += 1;
         }
-        assert_eq!(questions, 30, "{language:?}");
+        assert!(questions >= 30, "{language:?}: {questions}");
     }
 }
 

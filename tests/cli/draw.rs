@@ -39,15 +39,17 @@ fn layer_options_change_picture_and_legend() {
     let legend = picture.lines().last().unwrap();
     assert!(legend.starts_with("v 500 mm/s = --"), "{legend}");
     assert!(legend.contains("   a 10000 mm/s^2 = "), "{legend}");
-    let bare = done(&["draw", "hoecken"]);
+    // The scene names its traced point.
+    let bare = done(&["draw", "hoecken", "--traces", "none"]);
     let traced = done(&["draw", "hoecken", "--traces"]);
     assert_eq!(traced, done(&["draw", "hoecken", "--traces", "P"]));
+    assert_eq!(traced, done(&["draw", "hoecken"]));
     assert_ne!(traced, bare);
     assert!(traced.contains("......"), "{traced}");
     let all = done(&["draw", "hoecken", "--traces", "all"]);
     assert_eq!(all, done(&["draw", "hoecken", "--traces", "B,C,P"]));
     assert_ne!(all, traced);
-    assert_ne!(done(&["draw", "hoecken", "--ghosts", "5"]), bare);
+    assert_ne!(done(&["draw", "hoecken", "--ghosts", "5"]), traced);
     let named = |names: &str| done(&["draw", "four-bar", "--names", names]);
     assert!(named("all").contains("r3") && !named("points").contains("r3"));
     assert!(!named("none").contains('C'));

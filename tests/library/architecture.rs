@@ -1,12 +1,11 @@
-//! Checks the architecture from the sources: imports between modules, names of types, and the place
-//! of user-visible sentences.
+//! Checks the architecture from the sources: imports between modules, and the place of user-visible
+//! sentences.
 //!
 //! The layers are scene -> mechanism -> solver -> quantity -> study -> drawing -> report -> tui.
 //! `solver` knows no file, no unit name and no terminal; only the command line imports `tui`, and
 //! only `main` imports the command line.
 
 mod english;
-mod names;
 mod wording;
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -658,10 +658,10 @@ fn all_files() -> Vec<Vec<u8>> {
 
 /// Reads a damaged file; the text of any scene must be a scene or have an explained fault.
 fn survives(bytes: &[u8]) {
-    if let Ok(imported) = import(bytes, "damaged") {
-        if let Err(faults) = Scene::parse(&imported.text, "damaged") {
-            assert!(!faults.items.is_empty(), "{}", imported.text);
-        }
+    if let Ok(imported) = import(bytes, "damaged")
+        && let Err(faults) = Scene::parse(&imported.text, "damaged")
+    {
+        assert!(!faults.items.is_empty(), "{}", imported.text);
     }
 }
 

@@ -40,7 +40,7 @@ const ROUNDS: usize = 3;
 
 /// A side of a point, or no place at all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
+pub(in crate::drawing) enum Side {
     /// On this side: to the left, in the middle or to the right, and above, beside or below.
     At(i8, i8),
     Hidden,

@@ -268,8 +268,15 @@ impl<'a> DrawnScene<'a> {
     fn planned_labels(&self, view: &WorldView, glyphs: Glyphs) -> Labels {
         let mut labels = Labels::default();
         let mut state = self.solver.state();
-        let figure_at = |at| self.figure_at(at, &mut state);
-        labels.plan(&self.links, self.state.at(), view, glyphs, figure_at);
+        let mut figure_at = |at| self.figure_at(at, &mut state);
+        labels.plan(&self.links, self.state.at(), view, glyphs, &mut figure_at);
+        // On its side, a name stays where the frame before had it. After a turn, the first frame of
+        // an animation equals its last one.
+        let mut raster = drawing::Raster::new();
+        for at in turn::places(self) {
+            labels.go(&self.links, at);
+            drawing::render_into(&figure_at(at), view, glyphs, &mut labels, &mut raster);
+        }
         labels
     }
 
