@@ -370,6 +370,7 @@ fn removed_point_is_no_longer_followed() {
     assert!(line.contains("the view follows P"), "{line}");
     let without: String = named
         .lines()
+        .filter(|line| !line.starts_with("traces"))
         .map(|line| line.replace(", points = { P = [200, 0] }", "") + "\n")
         .collect();
     assert_ne!(without, named);

@@ -75,7 +75,7 @@ fn manual_search_covers_all_topics() {
     let mut session = four_bar(80, 24);
     let screen = session.press("? Tab /").type_in("SECOND dyad").look();
     assert!(
-        screen.contains("Help: tutorial  1/16 /SECOND dyad"),
+        screen.contains("Help: tutorial  1/17 /SECOND dyad"),
         "{screen}"
     );
     assert!(
